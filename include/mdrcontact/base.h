@@ -86,7 +86,7 @@ enum mdr_quantity {
                                           flat punch or of an adhesive contact and at the apex of a cone. With a cohesive stress
                                           sigma_0 it extends to zone_radius: finite at a, and -sigma_0 from there on. */
     MDR_DISPLACEMENT = 132,          /**< u(r), surface displacement, any r >= 0: d - f(r) for r <= a, inside the range of f; the
-                                          free surface for r > a [length]. Of two bodies, the sum, each into its own body. With an
+                                          free surface for r > a [length]. For two bodies, the sum, positive into each body. With an
                                           approximate model, each increment of depth moves the free surface as on a homogeneous
                                           body. */
     MDR_LINE_LOAD = 133,             /**< q(x), line load of the one-dimensional springs, equations (5), (21), 0 <= x <= a, or to

@@ -19,7 +19,7 @@ typedef struct mdr_body mdr_body;
 /** A layer or a half-space, and the interface below it. The material is isotropic, or transversely isotropic with its axis z along
  *  the normal, and may be under a stress in its plane. Initialize with MDR_SIZED. */
 typedef struct mdr_layer {
-    size_t size;                  /**< Size of this structure; MDR_SIZED sets it. In an array all elements have that of the first. */
+    size_t size;                  /**< Size of this structure, set by MDR_SIZED. In an array all elements have that of the first. */
     double thickness;             /**< h > 0; ignored in a substrate [length]. */
     double E;                     /**< Young's modulus > 0; of a transversely isotropic material E_t, in the plane [modulus]. */
     double nu;                    /**< Poisson's ratio, -1 < nu <= 1/2; of a transversely isotropic material nu_t, in the plane, -1

@@ -40,7 +40,7 @@ class Refusal(Exception):
 
 
 def check(status: int, *, single: bool = False) -> None:
-    """Raises the exception that belongs to `status`, with the message of the library; does nothing on success.
+    """Raise the exception that belongs to `status`, with the library's message; do nothing on success.
 
     single : whether the array in question is one number of the user's, which has no entry 1
     """

@@ -75,7 +75,7 @@ def _table(law: Any, error: float, branch: str, length: float) -> Table:
 
 
 def _rounded(values: Reals) -> Reals:
-    """As they are printed."""
+    """Values rounded as in the printed table."""
     return np.array([float(_FIGURES % value) for value in values])
 
 

@@ -94,7 +94,7 @@ QUANTITIES: Mapping[str, Dimension] = {
 }
 """Dimensions of states, histories and measurements by name."""
 _USUAL = (LENGTH, FORCE, STIFFNESS, MODULUS, TIME, AREA, VOLTAGE)
-"""Of the columns of tables."""
+"""Dimensions of the columns of tables."""
 
 _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\W\d_].*?)?\s*")
 

@@ -17,7 +17,7 @@ from .material import RIGID, SMOOTH
 from .medium import Coated, Homogeneous, Layered, Pair
 
 _OF_LAYER = _layout.VON_MISES, _layout.TRESCA, _layout.TENSION
-"""In the order of LayerMaxima."""
+"""Quantities of a layer in the order of LayerMaxima."""
 
 
 class Maximum(NamedTuple):
@@ -138,5 +138,5 @@ def critical(state: Any, body: str, friction: float) -> Critical:
 
 
 def maximum(found: Any) -> Maximum:
-    """From a structure of the library."""
+    """Maximum from a structure of the library."""
     return Maximum(*(float(found[name]) for name in Maximum._fields))

@@ -122,7 +122,7 @@ def _steps(constants: dict[str, float], name: str) -> list[tuple[Any, float]]:
 
 
 def _first_allowed(of: Callable[[Any, float], float], rules: list[tuple[Any, float]]) -> float:
-    """By the first rule whose values are all allowed."""
+    """Derivative by the first rule whose values are all allowed."""
     for rule in rules[:-1]:
         try:
             return of(*rule)

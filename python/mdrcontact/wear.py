@@ -48,7 +48,7 @@ __all__ = [
 
 _PLACES = tuple(words_of(_layout.WEAR_FRESH, _layout.WEAR_SAME))
 SCHEMES = tuple(words_of(_layout.WEAR_DISC, _layout.WEAR_RINGS))
-"""In the order of the library's codes."""
+"""Schemes in the order of the library's codes."""
 _LONGEST_PAST = 2000
 """Numbers of a saved past at most."""
 _ROUNDS, _CLOSE, _PART = 40, 1e-9, 1e-2

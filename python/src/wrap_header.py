@@ -53,7 +53,7 @@ SIZES = {
     "mdr_fit_predict": {"given": "", "radius": ""},
     "mdr_fit_interval": {"given": "", "sd": ""},
 }
-# Numbers that go in and come out again.
+# Arguments that are both input and output.
 BOTH_WAYS = {"segment"}
 # A function: its result, name and arguments.
 PROTOTYPE = re.compile(r"^((?:const )?\w+ \**)(mdr_\w+)\(([^)]*)\);", re.MULTILINE)
@@ -107,13 +107,13 @@ class Argument:
                                                f"{' - 1' if match[2] else ''}")  # fmt: skip
 
     def declaration(self):
-        """Of f2py's signature file."""
+        """Declaration in f2py's signature file."""
         kind = NUMBERS.get(self.kind, ADDRESS)[0]
         c = "c, " if self.by_value or self.size else ""
         return f"{kind}, intent({c}{self.way}) :: {self.name}" + (f"({self.size})" if self.size else "")
 
     def type(self):
-        """Of the type checker."""
+        """Type for the type checker."""
         if self.kind == "address":
             return "int" if self.is_number or "out" in self.way else "Sequence[Pointer]" if self.size else "Pointer"
         if not self.size:
@@ -183,7 +183,7 @@ def with_parts(header, before=()):
 
 
 def without_comments(header):
-    """What the compiler sees of the header and its parts."""
+    """The header and its parts, preprocessed."""
     return re.sub(r"/\*.*?\*/", "", with_parts(header), flags=re.DOTALL)
 
 

@@ -164,7 +164,7 @@ def test_what_a_shared_contact_was_asked_before_changes_nothing():
 
 @pytest.mark.filterwarnings("ignore::mdrcontact.MDRWarning")
 def test_a_field_is_refused_whatever_was_asked_before():
-    """Few points are answered however often, and say what they are off by; many are refused every time."""
+    """Few points are answered however often, and their warning states the error; many are refused every time."""
     state = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(STEEL)).at_radius(1.0)
     wrong, r = state.replace(depth=state.depth * 1.01), np.linspace(0.0, 2.0, 1000)
     for _ in range(3):

@@ -42,7 +42,7 @@ ANSWERS = words_of(
 MOTIONS = words_of(_layout.HEAT_SLIDING, _layout.HEAT_SPINNING, _layout.HEAT_MOVING)
 """Motions that make the heat of friction."""
 SIDES: dict[str, int] = {"below": 1, "above": 0}
-"""Of an interface."""
+"""Sides of an interface."""
 
 
 def _at_points(r: ArrayLike, z: ArrayLike, function: Callable[..., Any]) -> FloatOrArray:

@@ -39,7 +39,7 @@ def jax_function(law: ContactLaw, quantity: str = "force", branch: str = "unload
 
 
 def torch_function(law: ContactLaw, quantity: str = "force", branch: str = "unloading") -> Any:
-    """The same of PyTorch: takes tensors of torch.float64 of any shape, on any device, and has derivatives of any order."""
+    """A function of PyTorch for tensors of torch.float64 of any shape, on any device, with derivatives of any order."""
     from ._torch import function
 
     return function(law, quantity, branch)

@@ -292,7 +292,7 @@ def _convolve(job: _Job, radii: Array, threads: int, progress: bool | Progress) 
 
 
 def _unfold(quadrant: Any, shape: tuple[int, int], sizes: tuple[int, int], periodic: bool) -> Array:
-    """From weights at offsets >= 0 to the even kernel of a cyclic convolution."""
+    """Even kernel of a cyclic convolution from its weights at offsets >= 0."""
     kernel: Array = quadrant
     for axis in (0, 1):
         n, size = shape[axis], sizes[axis]

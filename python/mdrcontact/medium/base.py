@@ -53,7 +53,7 @@ class Medium(WithParameters):
         self._set(_handle=Handle(created), _body=body, **values)
 
     def _bodies(self) -> list[Handle]:
-        """Those whose compliances add; an exception where they are not known."""
+        """Bodies whose compliances add; raises if they are not available."""
         if self._body is None:
             raise InvalidArgumentError("this medium has only an effective modulus. Use one with E and nu of its layers")
         return [self._body]

@@ -134,7 +134,7 @@ class UnderModel(Medium):
         return type(self)(**{**body, "model": model, **options})
 
     def _constants(self) -> dict[str, Any]:
-        """Those of the body, and the constant of its model; other options choose how the body is solved."""
+        """Constants of the body and of its model; other options select the method of solution."""
         model = MODELS[self.model]
         given = {name: value for name, value in super()._given().items() if name not in ("model", "options")}
         options = dict(self.options)

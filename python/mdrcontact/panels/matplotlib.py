@@ -33,7 +33,7 @@ FORMATS: dict[str, dict[str, Any]] = {
     "pdf": {"Creator": "mdrcontact", "CreationDate": None},
     "svg": {"Date": None},
 }
-"""With what a file states of its origin: a figure is the same file whenever it is drawn."""
+"""Metadata of a figure without a date, so that the same figure gives the same file."""
 _WIDTH, _HEIGHT, _DOTS = 4.6, 3.5, 160
 _FLAT = 0.3
 """Height over width of a map below which its bar does not fit next to it."""

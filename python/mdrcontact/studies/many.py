@@ -29,7 +29,7 @@ from .result import Array, Column, Number, Result, Table, Words, in_words, study
 _MOST_NAMES = 40
 """Curves whose names are written below the figure."""
 _OFF_GRID = 0.25
-"""Of the step of a grid: positions that far off are on none."""
+"""Largest distance of a position from the grid, relative to its step."""
 _WITHOUT_MODEL = {"jump-in": FORCE, "pull-off": FORCE, "last rupture": LENGTH, "energy lost": ENERGY}
 """Columns of the table from records, without a model."""
 

@@ -17,7 +17,7 @@ from .result import Mixed, Number, Result, Words, column, columns_of, study
 
 _COLUMNS = ("sliding", "radius", "depth", "force", "pressure", "worn_depth", "worn_volume", "error")
 _POINTS = 200
-"""Of the profile, up to 1.2 times the last contact radius."""
+"""Points of the profile, up to 1.2 times the last contact radius."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

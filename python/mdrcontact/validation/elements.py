@@ -19,13 +19,13 @@ from .check import Array, Check, Comparison, comparison
 from .elements_slip import Sheared
 
 _FAR = 60.0
-"""Where a half-space ends, in contact radii."""
+"""Size of the mesh of a half-space, in contact radii."""
 _FINEST, _RATIO = 2e-4, 1.35
 """Cells next to the edge of the contact, in contact radii, and how they grow away from it."""
 
 
 def _lines(points: list[float], finest: float, ratio: float) -> Array:
-    """Ascending lines of a mesh between points, at the first of which they are finest."""
+    """Ascending lines of a mesh between points, finest at the first point."""
     edge, *ends = points
     lines = [edge]
     for end in ends:
@@ -231,7 +231,7 @@ def pressed() -> Comparison:
 
 
 _FILM, _BASE = Elastic(4.0, 0.3), Elastic(1.0, 0.25)
-"""Of the coated body whose fields and friction are compared, h = 1."""
+"""Materials of the coated body whose fields and friction are compared, h = 1."""
 
 
 def _coated_state() -> tuple[Contact, State, Any, Any]:

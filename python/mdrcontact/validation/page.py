@@ -36,7 +36,7 @@ class Row(NamedTuple):
         return self.found is None or self.found.deviation <= self.check.error
 
     def cells(self) -> list[str]:
-        """Of the table."""
+        """Cells of a row of the table."""
         deviation = self.why_not if self.found is None else f"{self.found.deviation:.1e}" + ("" if self.holds else " BEYOND")
         one = self.check
         return [one.capability, one.source, deviation, f"{one.error:.0e}", one.whose, f"{COMMAND} {one.name}"]

@@ -17,7 +17,7 @@ from .bodies import FRICTION, LIBRARY, MODULUS, NU, RADIUS, SHEAR, ball, hertz_f
 from .check import Check, Comparison, comparison
 
 _TOLERANCE = 1e-9
-"""Of laws, unless another one is given."""
+"""Default tolerance of laws."""
 
 
 def law() -> Comparison:

@@ -109,7 +109,7 @@ contains
         allocate (energies, source=layer_energies(own, layers, error))
     end subroutine layer_energy
 
-    !> The homogeneous layers of a body that is there.
+    !> The homogeneous layers of an existing body.
     subroutine layers_of(equilibrium, upper, layers, error)
         type(equilibrium_t), intent(in) :: equilibrium
         !> whether the upper body is meant
@@ -129,7 +129,7 @@ contains
         end associate
     end subroutine layers_of
 
-    !> A load as the inside of a body that is there reads it.
+    !> A load in the form for the inside of an existing body.
     subroutine load_inside(load, upper, own, error)
         type(contact_load_t), intent(in) :: load
         logical, intent(in) :: upper

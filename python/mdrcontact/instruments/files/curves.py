@@ -25,7 +25,7 @@ from .data_keys import KNOWN, RECORDS
 from .record import Cantilever, Record
 
 _EQUAL = 0.01
-"""Of a step: how equal those of a height are."""
+"""Largest relative difference between the steps of a height."""
 
 
 class Curve(NamedTuple):
@@ -96,7 +96,7 @@ def _position(facts: Iterable[Fact]) -> tuple[float, float] | None:
 
 
 def _tests(section: Section, tables: list[MeasuredTable], kind: str) -> list[MeasuredTable]:
-    """Those tables that have the columns of this kind of data; sheets with the settings of a method have not."""
+    """Tables with the columns of this kind of data; sheets with the settings of a method have none."""
     found = [table for table in tables if fits(section, table, kind)]
     if not found and kind in TABLES:
         # results alone: one row for each test is what there is

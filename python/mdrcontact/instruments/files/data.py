@@ -50,7 +50,7 @@ class _Column(NamedTuple):
 
 
 _Found = dict[str, _Column]
-"""By role."""
+"""Columns by role."""
 
 
 def _dynamic_stiffness(omega: Array, radius: Array, loss: Array, storage: Array, **options: Any) -> DynamicStiffness:

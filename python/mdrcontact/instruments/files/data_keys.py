@@ -51,7 +51,7 @@ _COLUMNS: Mapping[str, tuple[str, Kinds]] = {
     "storage": ("real part of the dynamic stiffness", _with("storage")),
     "loss": ("imaginary part of the dynamic stiffness", _with("loss")),
 }
-"""By role: what its column contains, and the kinds that have it."""
+"""Dimension of the column of each role, and the kinds that have it."""
 _LIMITS = {
     "min_depth": ("smallest depth to use", _with("depth", *RECORDS)),
     "max_depth": ("largest depth to use", _with("depth", *RECORDS)),

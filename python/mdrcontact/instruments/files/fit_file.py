@@ -36,7 +36,7 @@ from .data_keys import KNOWN, RECORDS
 from .record import Cantilever
 
 _APART = 0.01
-"""Of a number: more between two files is no rounding."""
+"""Largest relative difference between numbers of two files that counts as rounding."""
 
 
 class FitFile(NamedTuple):
@@ -327,7 +327,7 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
 
 
 def _read_gel(fit: Section, instrument: Instrument) -> tuple[dict[str, Free], str]:
-    """Of a gel: its free numbers, and the drainage."""
+    """Free numbers and drainage of a gel."""
     fit.only(("free", "drainage"), "a poroelastic gel")
     if instrument != Instrument():
         raise ProblemError("[instrument]: fits of gels take data without offsets and compliances: leave the table out")

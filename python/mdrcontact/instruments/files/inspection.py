@@ -51,15 +51,15 @@ _FEWEST = 5
 _SOFT = 1e8
 """Force over depth squared below which a body is a gel, a cell or rubber, under a ball [Pa]."""
 _APART = 0.05
-"""Of the largest force: a record that begins with less begins before contact."""
+"""Fraction of the largest force below which a record begins before contact."""
 _FREE_READINGS, _CLEAR = 10, 3.0
 """Fewest readings that determine the force before contact, and standard errors or noises beyond which it is not 0 or not level."""
 _MOVED = 0.02
-"""Of the depth: contact that begins so far from 0."""
+"""Distance of first contact from 0, relative to the depth, that counts as an offset."""
 _IN_TIME = "time"
 """Kinds of data in time."""
 _PULLS = 0.05
-"""Of the largest force: a smaller pull needs no work of adhesion."""
+"""Fraction of the largest force below which a pull needs no work of adhesion."""
 _WIDEST = 9
 """Columns of a table without titles."""
 
@@ -289,7 +289,7 @@ def _depth(record: Record, facts: Sequence[Fact], cantilever: Cantilever) -> Arr
 
 
 def _size(tests: Sequence[Test]) -> Size:
-    """Of all tests; a height is the travel of the piezo, most of it without contact."""
+    """Size of the contact in all tests; a height is the travel of the piezo, most of it without contact."""
     reached = (0.0 if test.along_name == "height" else float(test.along.max()) for test in tests)
     return Size(max(float(np.ptp(t.along)) for t in tests), max(float(np.ptp(t.force)) for t in tests), max(reached))
 

@@ -33,7 +33,7 @@ from ..records.segments import joined
 Array = NDArray[np.float64]
 
 _LITTLE = 0.01
-"""Of the force: tilts of a baseline below are not worth a word."""
+"""Fraction of the force below which a tilt of the baseline is not reported."""
 _MANY_LOST = 0.1
 _PASSES = 3
 """Single readings hide behind others that stray further."""
@@ -266,7 +266,7 @@ def _find_zero(section: Section, record: Record, is_raw: bool, kind: str) -> Non
 
 
 def _find_pulls(record: Record) -> None:
-    """Of a record with its baseline: results of approach and retract without a model."""
+    """Find the results of approach and retract that need no model, for a record with its baseline."""
     depth, top = _depth(record), int(np.argmax(record.force))
     for name, part in (("jump-in", slice(0, top + 1)), ("pull-off", slice(top, None))):
         try:
@@ -344,8 +344,8 @@ def _choose_branch(section: Section, record: Record) -> None:
 
 
 def _choose_creep(record: Record) -> None:
-    """Of a creep test the readings from first contact to the end of the hold: without contact no force determines the depth, and
-    under a falling force adhesion holds the contact."""
+    """Select the readings of a creep test from first contact to the end of the hold: without contact no force determines the depth,
+    and under a falling force adhesion holds the contact."""
     segments, words = record.parts()
     top = int(np.argmax(record.force))
     end = next((s.start for s in segments if s.kind == "unloading" and s.start > top), len(record.force))

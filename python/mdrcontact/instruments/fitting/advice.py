@@ -22,17 +22,17 @@ _STRONG_CORRELATION = 0.98
 _UNDETERMINED = 1e-9
 _BLUNT = 50e-9
 _FAR_APART = 0.15
-"""Of the depth: so far apart estimators of the contact point disagree."""
+"""Fraction of the depth by which estimators of the contact point disagree."""
 _STRAYS, _STRAY_SHARE = 3, 0.01
 """Readings about a jump that noise may put on the wrong side of it."""
 _PLASTIC = 0.7
 """Part of the depth that stays, from which on surfaces may pile up."""
 _LOST, _LEFT = 0.15, 0.1
-"""Of the work of loading and of its depth: what an elastic body does not keep, by more than noise and drift."""
+"""Losses of work and depth, relative to loading, that exceed noise and drift on an elastic body."""
 _LEVELS, _FEWEST_BACK = (0.05, 0.95, 19), 20
-"""Of the largest force: the levels at which loading and unloading are compared; the fewest readings of unloading."""
+"""Force levels, relative to the largest, at which loading and unloading are compared; fewest readings of unloading."""
 _PULLS = 0.05
-"""Of the largest force: unloading that pulls by more adheres."""
+"""Tensile force of unloading, relative to the largest force, that indicates adhesion."""
 _SMALL_CONTACT, _LARGE_CONTACT = 0.1, 3.0
 
 
@@ -123,7 +123,7 @@ def _identifiability(result: FitResult, radius: np.ndarray) -> list[str]:
 
 
 def _is_prior(result: FitResult, name: str) -> bool:
-    """Whether what is known of a parameter is its prior, to which the data add nothing: it trades off as it should."""
+    """Whether the data add nothing to the prior of a parameter, so that its trade-off is expected."""
     prior = result.problem.free[name].prior
     if prior is not None:
         return result.standard_errors[name] > 0.9 * prior[1]
@@ -217,7 +217,7 @@ def _tip(result: FitResult, radius: np.ndarray) -> list[str]:
 
 
 def _inclination(tip: object) -> float | None:
-    """Of the face of a tip that is sharp to its apex, an area function of C0 alone among them; None for others."""
+    """Inclination of a tip with a sharp apex, including an area function with only C0; None for others."""
     if isinstance(tip, profiles.AreaFunction):
         area, *others = tip.coefficients
         is_cone = area > 0.0 and tip.min_height == 0.0 and not any(others)
@@ -320,7 +320,7 @@ def _indent(result: FitResult, data: ForceDepth) -> list[str]:
 
 
 def _ways(data: ForceDepth) -> tuple[tuple[np.ndarray, np.ndarray], tuple[np.ndarray, ...] | None]:
-    """Depth and force of loading and of unloading, the latter of what is fitted or of what is not; None without it."""
+    """Depth and force of loading and of unloading, which may be outside the fit; None without unloading."""
     branches = np.unique(data.branch) if data.branch is not None else np.array([BRANCHES["loading"]])
     if len(branches) > 1:
         loading, unloading = data.on("loading"), data.on("unloading")

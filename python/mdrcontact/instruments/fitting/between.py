@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 _ROUNDS = 100
 _LEAST = 1e-9
-"""Of the mean: a standard error that is smaller is rounding."""
+"""Smallest standard error relative to the mean; a smaller one is rounding."""
 
 
 class MeanOfTests(NamedTuple):

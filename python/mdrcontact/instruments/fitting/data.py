@@ -20,7 +20,7 @@ Self = TypeVar("Self", bound="Data")
 
 _FEWEST_TO_JUDGE = 20
 _CLIPPED = 0.04
-"""Of the readings: so many share their largest value by coarse digits only."""
+"""Largest fraction of readings that coarse digits let share the largest value."""
 _FINEST = 1e-15
 """Standard deviation over reading: less is less than the rounding of the reading, and leaves intervals that are none."""
 REVERSIBLE, _FEWEST_FOR_SLOPE = 0.05, 5

@@ -37,7 +37,7 @@ _DECADES = np.linspace(-7.0, 5.0, 25)
 _MOST = 100
 """Number of readings used in the search for starting values."""
 _ROUNDS = 200
-"""Of the search, at the most."""
+"""Largest number of rounds of the search."""
 _STEP = 1e-5
 
 
@@ -247,7 +247,7 @@ def _shape(
 
 
 def _place(nu: float) -> float:
-    """Of a Poisson's ratio among the tables, -1 to 1."""
+    """Coordinate of a Poisson's ratio among the tables, -1 to 1."""
     return 2.0 * math.log((_END - nu) / (_END - _HIGHEST)) / math.log((_END - _LOWEST) / (_END - _HIGHEST)) - 1.0
 
 
@@ -326,7 +326,7 @@ class _Search:
         return best
 
     def run(self, scale: float) -> Estimate:
-        """Where the sum of squares is least."""
+        """Return the estimate at the least sum of squares."""
         low = [_LOWEST if name == "nu" else -math.inf for name in self.names]
         high = [_HIGHEST if name == "nu" else math.inf for name in self.names]
         return solve(

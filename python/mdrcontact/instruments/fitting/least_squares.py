@@ -47,7 +47,7 @@ class Coordinate(NamedTuple):
         return sd * (self.value(u) if self.is_logarithm else self.size)
 
     def interval(self, u: float, reach: float) -> tuple[float, float]:
-        """From one reach below to one above."""
+        """Interval of u minus and plus `reach`."""
         if self.is_logarithm:
             return self.value(u) * math.exp(-min(reach, 700.0)), self.value(u) * math.exp(min(reach, 700.0))
         return max(self.size * (u - reach), self.limits[0]), min(self.size * (u + reach), self.limits[1])
@@ -109,7 +109,7 @@ class ParameterFit:
 
 
 class Estimate(NamedTuple):
-    """Where the sum of squares is least, and how well that is known."""
+    """Minimum of the sum of squares, and its uncertainty."""
 
     u: Array
     """place in the search"""
@@ -119,7 +119,7 @@ class Estimate(NamedTuple):
     correlation: Array
 
     def fields(self, coordinates: Sequence[Coordinate], reach: Array | None = None) -> dict[str, Any]:
-        """Those of a `ParameterFit`; reach: half of each interval in the search, where it is not that of many readings."""
+        """Fields of a `ParameterFit`; reach: half of each interval in the search, where it is not that of many readings."""
         each = list(zip(coordinates, self.u, self.spread, strict=True))
         reaches = _INTERVAL * self.spread if reach is None else reach
         return {
@@ -161,7 +161,7 @@ def solve(residuals: Residuals, start: Array, *, is_absolute: bool = False, unit
 
 
 def estimate(u: Array, residuals: Array, slopes: Array, *, is_absolute: bool = False) -> Estimate:
-    """From residuals and their slopes at the least sum of squares."""
+    """Estimate from residuals and their slopes at the least sum of squares."""
     covariance = np.asarray(np.linalg.pinv(slopes.T @ slopes, rcond=1e-14), np.float64)
     if not is_absolute:
         covariance = covariance * float(residuals @ residuals) / max(len(residuals) - len(u), 1)

@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 _STRETCHES = 40
 """Equal parts of the way along the curve, so that a long baseline counts no more than the contact behind it."""
 LARGE = 0.05
-"""Of the force: a model that departs further misses its data."""
+"""Deviation, relative to the force, beyond which a model misses its data."""
 _LEAST = 0.01
 """Percent that people write."""
 SMALL = 0.01
@@ -80,7 +80,7 @@ def measure_misfit(data: Data, fitted: Array, offset: float = 0.0) -> Misfit:
 
 
 def _stretches(x: Array, y: Array, branch: NDArray[np.int32]) -> NDArray[np.intp]:
-    """Where equal parts of the way along the curve begin, and the end; each within one branch."""
+    """Starts of equal parts of the path along the curve, and the end; each part lies within one branch."""
     steps = np.hypot(np.diff(x) / max(float(np.ptp(x)), 1e-300), np.diff(y) / max(float(np.ptp(y)), 1e-300))
     way = np.concatenate([[0.0], np.cumsum(steps)])
     part = np.minimum(_STRETCHES * way / max(way[-1], 1e-300), _STRETCHES - 1).astype(int)

@@ -21,7 +21,7 @@ from .result import FitResult
 from .solve import fit
 
 _PARTS = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
-"""Of the depth in contact, to which a fit goes."""
+"""Ends of the fitted range, relative to the depth in contact."""
 _FEWEST, _OF_BRANCH = 20, 0.2
 _OPTIONS = ("loss", "loss_scale", "adhesion_rule", "sd_is_absolute", "max_iterations")
 _BLUE, _RED, _GREY = "#0072B2", "#D55E00", "#707070"
@@ -190,7 +190,7 @@ _Choice = tuple[str, float, Data, dict[str, float]]
 
 
 def _moved(result: FitResult, name: str, words: str, end: float, data: Data, held: dict[str, float]) -> Move | None:
-    """None where there is no such fit."""
+    """The estimate with another choice; None if there is no such fit."""
     problem = result.problem
     values = [held.get(n, float(v)) for n, v in zip(problem.names, result._values, strict=True)]
     tip, body, tool = problem.pattern.at(np.array(values))
@@ -205,7 +205,7 @@ def _moved(result: FitResult, name: str, words: str, end: float, data: Data, hel
 
 
 def _part(data: Data, keep: NDArray[np.bool_]) -> Data:
-    """Some of the points."""
+    """Data with some of the points."""
     part = copy.copy(data)
     for column in ("x", "y", "given", "sd", "branch"):
         values = getattr(data, column)

@@ -290,7 +290,7 @@ def _listed(problem: NDArray[Any], room: int = 100) -> list[tuple[str, float]]:
 
 
 def _numbers(part: Any, listed: Sequence[tuple[str, float]], prefix: str = "") -> list[tuple[str, float]]:
-    """Name and value of each number of an object; no name where it stays as it is."""
+    """Name and value of each number of an object; an empty name for numbers that cannot vary."""
     known = part.parameters()
     names = _of_relaxing(known) if is_viscoelastic(part) else [_in_python(part, name.removeprefix(prefix)) for name, _ in listed]
     # an interface that slides has no stiffness

@@ -139,7 +139,7 @@ def _draw_points(
 
 
 def _draw_contact(axis: Any, data: Data, contact: float) -> None:
-    """Where fit and estimators put first contact, and of a long baseline the part next to it."""
+    """Draw first contact of fit and estimators, and only the near part of a long baseline."""
     unit = practical(QUANTITIES[data.x_name], data.x)
     deepest, first = float(data.x.max()), float(data.x.min())
     places = {"contact point of the fit": contact, **{f"contact point, {name}": at for name, at in data.contact_points.items()}}

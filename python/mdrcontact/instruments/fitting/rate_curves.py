@@ -24,13 +24,13 @@ from .least_squares import Coordinate, ParameterFit, central_differences, estima
 __all__ = ["RateCurve", "RateFit", "fit_rate"]
 
 _TOLERANCE = 1e-8
-"""Of the histories in a fit."""
+"""Tolerance of the histories in a fit."""
 _STEP = 1e-4
-"""Of the logarithms of the parameters, for slopes."""
+"""Step of the logarithms of the parameters, for slopes."""
 _OFFSETS = ("position_offset", "force_offset")
 _FEWEST = 5
 _RISEN = 0.85
-"""Of the lowest force: from where it has risen to this on, readings are not fitted."""
+"""Fraction of the lowest force after which readings are not fitted."""
 _LAGS = np.concatenate([np.linspace(0.0, 0.9, 91), np.linspace(0.9025, 0.99, 36)])
 """Range of the search for the level of the noise."""
 
@@ -296,7 +296,7 @@ class _Problem:
         return _with_numbers(self.contact, {name: value for name, value in values.items() if name not in _OFFSETS})
 
     def forces(self, u: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-        """Of the model, with the force's offset."""
+        """Forces of the model, with their offset."""
         values = self.values(u)
         contact, offset = self.contact_at(values), values.get("position_offset", 0.0)
         found = []
@@ -320,7 +320,7 @@ class _Problem:
         return np.concatenate([_whitened(misfit, lag) for misfit in misfits])
 
     def slopes(self, u: NDArray[np.float64], lag: float) -> NDArray[np.float64]:
-        """By central differences."""
+        """Slopes by central differences."""
         return central_differences(partial(self.residuals, lag=lag), u, _STEP * np.eye(len(u))) / _STEP
 
     def lag(self, u: NDArray[np.float64]) -> float:
@@ -348,7 +348,7 @@ def _whitened(misfit: NDArray[np.float64], lag: float) -> NDArray[np.float64]:
 
 
 def _follow(contact: Contact, time: ArrayLike, position: ArrayLike, stiffness: float | None) -> Any:
-    """From rest in contact."""
+    """Follow a contact from rest."""
     if stiffness is None:
         return rate_history(contact, time, depth=position, start="rest", tolerance=_TOLERANCE)
     return rate_history(contact, time, position=position, spring_stiffness=stiffness, start="rest", tolerance=_TOLERANCE)

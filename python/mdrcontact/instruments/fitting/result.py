@@ -46,7 +46,7 @@ _SHOWS = 3.09
 _FEWEST_FREE = 2.0
 """Fewest degrees of freedom for which the residuals are evidence about the model."""
 _ROUNDING = 1e-8
-"""Of the largest reading: the model itself is no more accurate."""
+"""Accuracy of the model, relative to the largest reading."""
 
 
 class Interval(NamedTuple):

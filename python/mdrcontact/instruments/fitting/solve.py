@@ -21,7 +21,7 @@ from .result import FitResult
 from .weighted import RULES, fit_weighted
 
 _OTHER_STRESSES = ((1.0 / 3.0, False), (3.0, False), (1.0 / 9.0, False), (9.0, False), (0.6, True), (0.25, True), (1.5, True))
-"""Times the stress that a search began with; or that of the best end, with the other parameters from there."""
+"""Factors of the cohesive stress for further starts; True: of the best result, with its other parameters."""
 
 
 def fit(
@@ -142,7 +142,7 @@ def _fitted(problem: Problem) -> FitResult:
 
 
 def _searched(problem: Problem) -> FitResult | None:
-    """None where the search does not even begin."""
+    """Result of a search; None if it cannot start."""
     try:
         return FitResult(problem, *problem.answer())
     except CancelledError:

@@ -16,7 +16,7 @@ from .data import Array, Data, column_of
 _NOISE = 3.0
 """Standard deviations of the depth readings within which they turn."""
 _MOST_CORNERS, _ROUNDS, _FEWEST = 200, 3, 5
-"""Of the corners of a path: how many there are, how often they are moved, readings of a piece that has a line."""
+"""Corners of a path: largest number, rounds of adjustment, fewest readings for a straight piece."""
 _ROUGH = 0.03
 """Readings this far off a path, as a part of its range, are of another path."""
 

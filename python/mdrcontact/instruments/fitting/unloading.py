@@ -26,10 +26,10 @@ from .solve import fit
 Array = NDArray[np.float64]
 
 UPPER_PART = (0.4, 0.98)
-"""Of the largest force: the part of an unloading curve that ISO 14577-1 fits."""
+"""Part of an unloading curve that ISO 14577-1 fits, relative to the largest force."""
 _FEWEST = 8
 _BEGINS, _ZERO, _GAIN = (0.01, 0.05), 0.03, 0.01
-"""Of the largest force, of the depth, of their product: where loading begins, what is a zero, and what drift may do to the work."""
+"""Start of loading over the largest force, zero over the depth, and effect of drift on the work over their product."""
 _EXPONENTS = 1.1, 2.0
 """The power of unloading curves of homogeneous bodies is between those of a punch and a cone."""
 _VAGUE, _NONE, _STEEPEST = 0.03, 0.5, 4.0

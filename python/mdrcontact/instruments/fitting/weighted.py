@@ -19,9 +19,9 @@ Array = NDArray[np.float64]
 
 RULES = {"held": 0, "moving": 1}
 _ROUNDS, _LEAST = 4, 1e-2
-"""Of fits under weights that are held, and the least weight of a residual."""
+"""Rounds of fits with fixed weights, and the least weight of a residual."""
 _STEP, _GROWTH, _ENOUGH, _MOST = 0.01, 1.5, 1e-6, 40
-"""Of the search of the contact point, in units of the distance: its first step, how steps grow, the last, how many go downhill."""
+"""Search for the contact point, in units of the distance: first step, growth, last step, largest number of steps."""
 _GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 
 
@@ -54,7 +54,7 @@ class _Weighted:
         return problem.changed(part, start=_begin(problem, start))
 
     def weights(self, contact: float) -> Array:
-        """Of the residuals."""
+        """Weights of the residuals."""
         return np.asarray(np.clip(np.abs(self.data.x - contact) / self.distance, _LEAST, 1.0))
 
     def free(self, before: FitResult) -> FitResult:

@@ -59,7 +59,7 @@ class Lever(NamedTuple):
     """[m/V]"""
 
     def replaced(self, spring_constant: float | None, sensitivity: float | None) -> Lever:
-        """With what a problem file gives."""
+        """Constants replaced by those of a problem file."""
         return Lever(spring_constant or self.spring_constant, sensitivity or self.sensitivity)
 
     def force_per(self, unit: str) -> float:

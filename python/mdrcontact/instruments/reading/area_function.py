@@ -21,7 +21,7 @@ _OF_TIP = re.compile(r"\b(?:tip|area|indenter)\b.*C[\s_]?0", re.IGNORECASE)
 _SHARPEST, _BLUNTEST = 0.1, 1000.0
 """C0 of tips: a cube corner has 2.6, a blunt cone of 170 degrees 410."""
 _UNITS = {"u": 1e-6, "m": 1e-3}
-"""Of coefficients that are not in nm, by the sign before the m."""
+"""Units of coefficients that are not in nm, by prefix."""
 
 
 def dimension_of_term(i: int) -> Dimension:

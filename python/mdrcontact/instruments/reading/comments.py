@@ -39,7 +39,7 @@ def _ways(line: str) -> Iterator[list[str]]:
 
 
 def _cells(line: str, width: int) -> list[str]:
-    """As many words as there are columns; none where a line has not so many, or numbers."""
+    """One word for each column; empty if a line has another number of words, or numbers."""
     for cells in _ways(line):
         cells = cells[:-1] if len(cells) == width + 1 and not cells[-1] else cells
         if len(cells) == width and all(cells) and not any(is_number(cell) for cell in cells):

@@ -23,7 +23,7 @@ _BRACKETS = re.compile(r"[\[({].*?[\])}]")
 _FEWEST = 2
 """Columns of a test."""
 _EQUAL = 1e-6
-"""Of their range: columns that differ by less are the same."""
+"""Difference over range below which columns are the same."""
 
 
 class Test(NamedTuple):
@@ -58,7 +58,7 @@ def _grouped(names: Sequence[tuple[str, str]], common: Sequence[tuple[int, str]]
 
 
 def _named(titles: Sequence[str]) -> list[Test]:
-    """By titles that name their test."""
+    """Tests by titles that name them."""
     for pattern in NAMED_TESTS:
         matches = [pattern.fullmatch(title) for title in titles]
         if all(matches):
@@ -67,7 +67,7 @@ def _named(titles: Sequence[str]) -> list[Test]:
 
 
 def _in_turn(titles: Sequence[str]) -> list[Test]:
-    """By titles that repeat in turn."""
+    """Tests by titles that repeat in turn."""
     count = len(titles)
     for period in range(_FEWEST, count // 2 + 1):
         if count % period == 0 and list(titles) == count // period * list(titles[:period]):
@@ -76,8 +76,8 @@ def _in_turn(titles: Sequence[str]) -> list[Test]:
 
 
 def _numbered(titles: Sequence[str]) -> list[Test]:
-    """By a number in each title outside of its unit, as in "Depth 1 [nm]" or "Load (mN).2"; titles without one are common to all
-    tests, or those of the first test if the others have the same with a number."""
+    """Tests by a number in each title outside of its unit, as in "Depth 1 [nm]" or "Load (mN).2"; titles without one are common to
+    all tests, or those of the first test if the others have the same with a number."""
     split = [_number_of(title) for title in titles]
     plain = [(i, titles[i]) for i, (number, _) in enumerate(split) if not number]
     numbered = {title for number, title in split if number}

@@ -24,7 +24,7 @@ _SENSITIVITY = re.compile(r"V ([-+.\deE]+)\s*(\S*)")
 _PER_VOLT = {"": 1e-9, "nm/V": 1e-9, "um/V": 1e-6, "pm/V": 1e-12, "~m/V": 1e-6}
 _EXPORT = "export the force curve as text in NanoScope Analysis, File > Export > ASCII, with Z or separation and force in units"
 _BITS_OF_SCALE = 16
-"""Of the numbers that the scales of a header count."""
+"""Bits of the integers to which the scales of a header refer."""
 
 
 class _List(NamedTuple):

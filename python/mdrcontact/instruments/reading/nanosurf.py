@@ -96,7 +96,7 @@ def _channels(header: Mapping[str, Mapping[str, str]], numbers: bytes) -> dict[t
 
 
 def _lever(header: Mapping[str, Mapping[str, str]]) -> Lever:
-    """From the ranges of one input as a force, as a length and as a voltage."""
+    """Cantilever constants from the ranges of one input as force, length and voltage."""
     inputs = header.get(f"{_CALIBRATION}Scanhead", {})
     ranges = {name: inputs[name].split(",") for name in (_FORCE, _LENGTH) if name in inputs}
     force, length = (

@@ -20,12 +20,12 @@ SOURCES = {"piecewise": "Lin, Dimitriadis, Horkay 2007", "ratio-of-variances": "
 FEWEST = 20
 """Fewest readings for the search for a contact point."""
 _WINDOW = 0.05
-"""Of the points: those to either side whose variances are compared."""
+"""Fraction of the points on either side whose variances are compared."""
 _CANDIDATES = 200
 _LOW = 0.1
-"""Of the force: so far a contact is taken as a power law."""
+"""Fraction of the force up to which a contact is taken as a power law."""
 _BINS = 20
-"""Parts of the way of the piezo."""
+"""Parts of the travel of the piezo."""
 _CLEAR = 0.8
 """The baseline ends before this part of the way to the contact point."""
 

@@ -23,7 +23,7 @@ _STILL = 0.15
 _TURN, _TOGETHER = 10.0, 3.0
 """Standard deviations of the noise: a curve that goes back by more turns, and depth and force each by so much."""
 _MOVES = 0.3
-"""Of the whole depth or height: a segment of a file that moves by less is a hold."""
+"""Fraction of the whole depth or height below which a segment of a file is a hold."""
 _LEVEL, _SAME, _CREEP = 0.02, 0.05, 0.3
 """Of the rise of the force: what is above the noise of zero; of that level, or of the depth: what is held; of the depth: what a
 hold of the force may creep."""

@@ -271,7 +271,7 @@ contains
         offset(n) = was + time*(dot_product(compliance(n, :base), free) - shift - was)
     end subroutine find_touch
 
-    !> A ring is filled whose inner part was in contact before it grew: one ring.
+    !> Extend the contact to a whole ring whose inner part was already in contact, as one ring.
     subroutine fill(self, grid, areas)
         type(rings_t), intent(inout) :: self
         type(ring_grid_t), intent(in) :: grid

@@ -345,7 +345,7 @@ contains
         answer = body%has_singular_edge() .and. hypot(top%r - body%load%radius, top%z) < beside_edge*body%load%radius
     end function is_beside_edge
 
-    !> Raises unless each strength is one of a layer or an interface that is there.
+    !> Raise an error unless each strength belongs to an existing layer or interface.
     subroutine check_strengths(layers, strengths, error)
         type(layers_t), intent(in) :: layers
         type(strength_t), intent(in) :: strengths(:)

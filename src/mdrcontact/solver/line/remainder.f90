@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Contribution of coefficients beyond the n unknowns of the springs' equation to products <x, y> = x' (1 + H)^-1 y of its
-!> right-hand sides, and how uncertainty that is (theory/exact.md (3.8), (3.9)).
+!> right-hand sides, and its uncertainty (theory/exact.md (3.8), (3.9)).
 !>
 !> One iteration of the equation gives as many coefficients more, which enter products to second order. The Schur complement of
 !> the n unknowns is close to its diagonal, S_i, which the pivots approach geometrically to 1. Sums over fewer terms give the error.
