@@ -105,7 +105,7 @@ module mdrcontact_codes
     !> -sigma_0 from there on.
     integer, parameter :: pressure = 131
     !> MDR_DISPLACEMENT. u(r), surface displacement, any r >= 0: d - f(r) for r <= a, inside the range of f; the free surface for r
-    !> > a [length]. Of two bodies, the sum, each into its own body. With an approximate model, each increment of depth moves the
+    !> > a [length]. For two bodies, the sum, positive into each body. With an approximate model, each increment of depth moves the
     !> free surface as on a homogeneous body.
     integer, parameter :: displacement = 132
     !> MDR_LINE_LOAD. q(x), line load of the one-dimensional springs, equations (5), (21), 0 <= x <= a, or to zone_radius [modulus
