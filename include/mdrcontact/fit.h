@@ -110,7 +110,7 @@ typedef struct mdr_fit_summary {
     double prior_chi_square;    /**< The same of the priors. */
     double degrees_of_freedom;  /**< Number of data minus the number of parameters that they determine. */
     double noise;               /**< Factor of the standard deviations of the data: 1 if they are known, otherwise estimated. */
-    double log_likelihood;      /**< Of the data and the priors, at the estimates. */
+    double log_likelihood;      /**< Log-likelihood of data and priors at the estimates. */
     double pattern_probability; /**< Probability that random residuals form a pattern at least as smooth: Durbin and Watson (1950)
                                      for n < 50 with the linear loss, otherwise Bartels (1982); 1 if they are too few. */
     double weakest;             /**< Smallest eigenvalue of the correlation of the derivatives. 1: the parameters are independent.

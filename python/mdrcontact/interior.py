@@ -82,12 +82,12 @@ class Interior(_InteriorNumbers):
         return _with_doubts, (tuple(self), self.warnings)
 
     def _compared(self, found: Iterable[Caution]) -> Interior:
-        """Itself, whose warnings are known."""
+        """Return itself with the warnings found."""
         self._doubts, self._asked_of = texts_of(found), None
         return self
 
     def _comparable(self, state: Any, body: str) -> Interior:
-        """Itself, whose warnings are found when `warnings` is read."""
+        """Return itself; reading `warnings` then finds its warnings."""
         self._asked_of = state, body
         return self
 

@@ -75,7 +75,7 @@ def curve(problem: Problem, *, pressures: bool = False, references: bool = False
     references : bool, optional
         Compute the forces on the coating alone and on the substrate alone as well.
     progress : Progress, optional
-        Follows the states, and stops them.
+        Reports the states, and can stop the work.
 
     Returns
     -------

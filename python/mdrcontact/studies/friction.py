@@ -129,7 +129,7 @@ def friction(problem: Problem, *, loops: bool = False, progress: Progress | None
     loops : bool, optional
         Compute the tangential force along some of the cycles as well.
     progress : Progress, optional
-        Follows the steps of a path, and stops them.
+        Reports the steps of a path, and can stop the work.
 
     Returns
     -------

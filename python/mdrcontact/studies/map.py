@@ -76,7 +76,7 @@ def map(problem: MapProblem, *, threads: int = 0, memory_limit: float | None = N
     memory_limit : float, optional
         Largest memory that the maps may use [bytes].
     progress : Progress, optional
-        Follows the slices of all maps, and stops between two of them.
+        Reports the slices of all maps, and can stop the work between two of them.
 
     Returns
     -------

@@ -172,7 +172,7 @@ def stress(
     lines : bool, optional
         Compute them along the surface and the interfaces as well.
     progress : Progress, optional
-        Follows the modes of failure, and stops them.
+        Reports the modes of failure, and can stop the work.
 
     Returns
     -------

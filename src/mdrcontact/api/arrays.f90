@@ -138,8 +138,8 @@ contains
         call check_memory(error, stat)
     end subroutine make_complex_room
 
-    !> Writes complex results to the arrays of the caller, unless there is an error or one of them is not finite. All are wanted but
-    !> the imaginary part, which may be missing.
+    !> Writes complex results to the arrays of the caller, unless there is an error or one of them is not finite. All are required
+    !> except the imaginary part, which may be missing.
     pure subroutine return_parts(error, values, real_part, imaginary_part)
         type(error_t), allocatable, intent(inout) :: error
         !> not allocated if there is an error

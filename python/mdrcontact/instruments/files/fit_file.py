@@ -117,7 +117,7 @@ class FitFile(NamedTuple):
         paths : sequence of Path
             The files. A file that cannot be read becomes a curve that cannot be read.
         progress : Progress
-            Follows the files, and stops between two of them.
+            Reports the files, and can stop the work between two of them.
 
         Returns
         -------

@@ -36,7 +36,7 @@ class Data:
     x_name: ClassVar[str]
     y_name: ClassVar[str]
     given_name: ClassVar[str] = ""
-    """what else is known of each point"""
+    """further known values of each point"""
     contact_points: Mapping[str, float] = MappingProxyType({})
     """depth of initial contact by each estimator that examined the record [length]"""
     pulls: Mapping[str, float] = MappingProxyType({})

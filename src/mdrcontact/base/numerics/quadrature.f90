@@ -4,7 +4,7 @@
 !> Integrands of contact mechanics are analytic except at known radii: the origin, where a modulus varies on the scale of the
 !> thinnest layer and a profile may be a broken power, and the break radii of the profile, where g has a square-root branch to the
 !> right (flat ends, tangent points, knots of a table). Panels that grow by a constant ratio from every such radius and a quadratic
-!> substitution behind it make the rule converge exponentially, for any lengths are involved.
+!> substitution behind it make the rule converge exponentially, for any lengths in the integrand.
 module mdrcontact_numerics_quadrature
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_ptr, c_size_t
     use mdrcontact_cancel, only: check_cancelled

@@ -105,7 +105,7 @@ contains
         class(columns_t), intent(in) :: self
         integer, intent(in) :: panel
         real(wp), intent(in) :: z
-        !> of the columns that are wanted, and the same size
+        !> of the requested columns, and the same size
         real(wp), intent(out) :: values(:), slopes(:)
         real(wp) :: v(lanes), dv(lanes)
         integer :: group, first, last

@@ -80,7 +80,7 @@ module mdrcontact_numerics_sampler
     end type column_source_t
 
     abstract interface
-        !> The columns at x and, if they are wanted and has_slopes remains true, their slopes.
+        !> The columns at x and, if requested and has_slopes remains true, their slopes.
         subroutine sample_at(self, x, values, error, slopes)
             import :: column_source_t, error_t, wp
             class(column_source_t), intent(inout) :: self

@@ -77,7 +77,7 @@ contains
         numbers = numbers%scaled(2.0_wp*shear)
     end function constants
 
-    !> The stiffest over the softest: how much longer than the layers are thick bending waves are at most.
+    !> Stiffest over softest modulus, the largest ratio of bending wavelengths to the thickness of the layers.
     pure function contrast(self) result(ratio)
         class(layers_t), intent(in) :: self
         real(wp) :: ratio

@@ -41,7 +41,7 @@ module mdrcontact_profile_user_height
     real(wp), parameter :: smallest_radius = 1.0e-10_wp, smallest_value = 1.0e-20_wp
     !> Largest relative error of the height close to the axis, where a series continues it.
     real(wp), parameter :: series_accuracy = 3.0e-10_wp
-    !> Values of which every other one is fitted and the others are compared, and terms of a series in r^2 and in r at most.
+    !> Number of values, of which every other one is fitted and the rest compared, and most terms of a series in r^2 and in r.
     integer, parameter :: samples = 128, most_terms(2) = [12, 6]
     !> Where the scatter is considered, relative to the radius of the series.
     real(wp), parameter :: places(4) = [1.0_wp, 0.87_wp, 0.61_wp, 0.52_wp]

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a contact needs of its adhesive equilibria, for any range of adhesion: the stable segments under a control, and the states
+!> Adhesive equilibria of a contact, for any range of adhesion: the stable segments under a control, and the states
 !> on them. All equilibria lie on one curve with a coordinate, and are stable where what the machine controls grows along it.
 module mdrcontact_contact_adhesive_branch
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
@@ -21,7 +21,7 @@ module mdrcontact_contact_adhesive_branch
         logical :: at_wall = .false.
     end type stable_segment_t
 
-    !> The equilibria from where adhesion is all to where it is nothing.
+    !> The equilibria from dominant to negligible adhesion.
     type, abstract :: adhesive_branch_t
         !> the gap at which bodies that approach begin to attract each other [length]: 0 where adhesion has no range
         real(wp) :: range = 0.0_wp

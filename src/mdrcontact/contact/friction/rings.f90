@@ -5,7 +5,7 @@
 !> A step to a new contact and a shift s needs the forces t of the rings that minimise
 !>     t.C t/2 - t.(s + v),    |t_j| <= mu N_j,
 !> C_jk the mean displacement of ring j by a force of 1 on ring k, N_j the normal force on ring j, v_j the mean of u - s where
-!> the ring came to stick. C is positive definite: there is one answer, for any mu. Slip need not be an annulus.
+!> the ring came to stick. C is positive definite: there is one solution, for any mu. Slip need not be an annulus.
 module mdrcontact_friction_rings
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact, only: contact_t

@@ -41,7 +41,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> how many threads may share the work, 0: as many as OpenMP offers; default 1
         integer, intent(in), optional :: threads
-        !> nothing is searched for: how many there are is all that is wanted
+        !> count only, without a search
         logical, intent(in), optional :: counted_only
         type(stressed_t) :: body
         integer :: i, n, stat

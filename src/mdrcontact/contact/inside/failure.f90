@@ -152,7 +152,7 @@ contains
         type(layers_t), intent(in) :: layers
         !> of the flat end, and up to where the contact is defined [length]
         real(wp), intent(in) :: end_radius, largest
-        !> the last one that is wanted; 0: the default [length]
+        !> the last one; 0: the default [length]
         real(wp), intent(in) :: largest_radius
         real(wp), intent(out) :: radii(samples)
         type(error_t), allocatable, intent(inout) :: error

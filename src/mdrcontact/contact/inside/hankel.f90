@@ -113,7 +113,7 @@ contains
     pure subroutine weighted_state(self, depth, first, last, columns)
         type(hankel_t), intent(in) :: self
         type(depth_t), intent(in) :: depth
-        !> nodes wanted
+        !> requested nodes
         integer, intent(in) :: first, last
         real(wp), intent(out) :: columns(:, :)
         real(wp) :: y(last - first + 1, merge(shear_rows, normal_rows, self%states%along_surface))

@@ -451,7 +451,7 @@ contains
 
     contains
 
-        !> 0 where a cosine or sine is nothing but the rounding error of the angle.
+        !> 0 where a cosine or sine is only the rounding error of the angle.
         pure function nonzero(value) result(answer)
             real(wp), intent(in) :: value
             real(wp) :: answer

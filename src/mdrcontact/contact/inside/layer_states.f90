@@ -21,7 +21,7 @@ module mdrcontact_inside_layer_states
     private
     public :: layer_states_t, new_layer_states
 
-    !> Roots no farther from their mean are one: the square of this is rounding.
+    !> Roots no farther from their mean count as equal: the square of this is rounding.
     real(wp), parameter :: rounding = 3.0e-8_wp
 
     !> A layer and what lies below it.
@@ -32,7 +32,7 @@ module mdrcontact_inside_layer_states
         !> thickness and depth of its top [a]; the first is 0 for the half-space
         real(wp) :: thickness = 0.0_wp, top = 0.0_wp
         type(interface_t) :: below
-        !> whether both roots are one, as those of an isotropic layer
+        !> whether both roots are equal, as those of an isotropic layer
         logical :: has_one_root = .false.
     end type layer_t
 
@@ -126,7 +126,7 @@ contains
         end associate
     end subroutine fill_matrices
 
-    !> exp(-Q x); without complex numbers where both roots are one.
+    !> exp(-Q x); without complex numbers if both roots are equal.
     pure function fall(sheet, x) result(matrix)
         type(layer_t), intent(in) :: sheet
         real(wp), intent(in) :: x
@@ -142,7 +142,7 @@ contains
         matrix = exp(-0.5_wp*sheet%modes%total*x)*matrix
     end function fall
 
-    !> exp(-Q x) times a vector, without the matrix where both roots are one: most of the time of stresses is spent here.
+    !> exp(-Q x) times a vector, without the matrix if both roots are equal: most of the time of stresses is spent here.
     pure subroutine carry(sheet, x, vector)
         type(layer_t), intent(in) :: sheet
         real(wp), intent(in) :: x

@@ -31,7 +31,7 @@ module mdrcontact_inside_transform
         real(wp), allocatable :: part(:)
         !> (n, panel): the factor of j_n in the integrals over a panel
         real(wp), allocatable :: series(:, :)
-        !> where sines are wanted: nodes of all panels, centres of all panels, halves of their lengths
+        !> where sines are needed: nodes of all panels, centres of all panels, halves of their lengths
         real(wp), allocatable :: x(:)
     end type slopes_t
 
@@ -133,7 +133,8 @@ contains
         call check_memory(error, stat)
     end subroutine new_waves
 
-    !> To the next wavenumbers, at positions up to `before` and beyond `after`: their distances mostly are those of the ones before.
+    !> Advance to the next wavenumbers, at positions up to `before` and beyond `after`; their spacing usually equals the previous
+    !> one.
     pure subroutine move(self, x, before, after, k)
         type(waves_t), intent(inout) :: self
         real(wp), intent(in) :: x(size(self%first_sine)), k(:)

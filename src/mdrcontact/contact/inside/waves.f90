@@ -7,7 +7,7 @@ module mdrcontact_inside_waves
     private
     public :: faded, first_panel, part_of_waves, bessel_012
 
-    !> exp(-faded) is nothing.
+    !> exp(-faded) is negligible.
     real(wp), parameter :: faded = 42.0_wp
     !> Nodes times layers that are worked on together, of 50 bytes each, and nodes at least.
     integer, parameter :: most_amplitudes = 2000000, least_part = 256

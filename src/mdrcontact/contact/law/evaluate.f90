@@ -29,7 +29,7 @@ module mdrcontact_law_evaluate
         real(c_double) :: open = -huge(1.0_c_double)
     end type law_view_t
 
-    !> Where values at points go; null: not wanted. Pointers, as absent arrays of assumed shape cannot be handed on without a
+    !> Where values at points go; null: not requested. Pointers, as absent arrays of assumed shape cannot be handed on without a
     !> descriptor of nothing.
     type :: wanted_t
         !> the force at depths or the depth under forces, its slope

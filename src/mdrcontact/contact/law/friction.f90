@@ -81,7 +81,7 @@ module mdrcontact_law_friction
         real(wp), pointer, contiguous :: memory(:, :) => null()
         !> receives T on the medium [modulus length^2] (3, n)
         real(wp), pointer, contiguous :: traction(:, :) => null()
-        !> receives dT_i/ds_j, (j, i), and dT_i/dF, (4, i), at the end of the step (4, 3, n); null: not wanted
+        !> receives dT_i/ds_j, (j, i), and dT_i/dF, (4, i), at the end of the step (4, 3, n); null: not requested
         real(wp), pointer, contiguous :: tangent(:, :, :) => null()
         !> whether the records are to remain as they are: a trial
         logical :: is_trial = .false.

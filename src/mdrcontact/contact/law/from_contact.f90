@@ -29,7 +29,7 @@ module mdrcontact_law_from_contact
     real(wp), parameter :: smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
     !> Decades of depth below the largest, where none are given.
     real(wp), parameter :: default_decades = 1.0e-4_wp
-    !> A law begins at this part of its largest depth at most.
+    !> Largest start of a law, relative to its largest depth.
     real(wp), parameter :: largest_part_below = 0.5_wp
     !> Shares of the tolerance: of the samples, and of the polynomials through them.
     real(wp), parameter :: sample_share = 0.1_wp, sample_share_of_zone = 1.0e-2_wp, fit_share = 0.3_wp

@@ -14,7 +14,7 @@ module mdrcontact_law_segments
 
     !> The samples reach this far beyond a fold, so that it can be found on them; the search interval.
     real(wp), parameter :: fold_margin = 0.06_wp, search_width = 0.04_wp
-    !> A break closer to an end of a segment than this is one with it.
+    !> A break closer to an end of a segment than this is merged with it.
     real(wp), parameter :: no_room = 1.0e-9_wp
 
 contains

@@ -32,9 +32,9 @@ module mdrcontact_adhesion_cohesive_march
     !> Largest displacement of the place in one step [zone], at first [of that], and in a jump from one trial to the next [1].
     real(wp), parameter :: farthest = 0.6_wp, first_part = 1.0e-3_wp, stride = 0.03_wp
     integer, parameter :: most_strides = 5000, halvings = 50
-    !> Radii nearer to each other than this are one, and no zone without contact is smaller [zone at touch].
+    !> Radii nearer to each other than this are merged, and no zone without contact is smaller [zone at touch].
     real(wp), parameter :: near = 1.0e-7_wp, smallest = 1.0e-6_wp
-    !> Breaks nearer to each other are one [zone]: the gap jumps by about ten times this where one begins to count.
+    !> Breaks nearer to each other are merged [zone]: the gap jumps by about ten times this where one begins to count.
     real(wp), parameter :: same_break = 1.0e-12_wp
     !> The surface may reach into the indenter by so much of the range: the error of the method.
     real(wp), parameter :: negligible = 1.0e-2_wp

@@ -26,7 +26,7 @@ module mdrcontact_conduction_film
     integer, parameter, public :: terms_of_flux = 320
     !> Largest relative change by the extrapolation.
     real(wp), parameter :: allowed = 50.0_wp*tolerance, allowed_in_time = 1.0e-8_wp
-    !> Where exp(-2 k H) is nothing.
+    !> Exponent 2 k H beyond which exp(-2 k H) is negligible.
     real(wp), parameter :: faded = 20.0_wp
     !> A step of the radius into the complex plane, relative, which gives slopes without a difference.
     real(wp), parameter :: tiny_step = 1.0e-30_wp

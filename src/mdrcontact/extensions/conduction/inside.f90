@@ -14,7 +14,7 @@ module mdrcontact_conduction_inside
     private
     public :: fields_inside
 
-    !> exp(-faded) is nothing.
+    !> exp(-faded) is negligible.
     real(wp), parameter :: faded = 40.0_wp
     !> Octaves of wavenumbers below the scales of the body and of the points.
     integer, parameter :: octaves = 44

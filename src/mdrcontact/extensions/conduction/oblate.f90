@@ -11,7 +11,7 @@ module mdrcontact_conduction_oblate
 
     !> Forward recurrence loses exp of this many digits (natural logarithm) at most; backward, as many are gained.
     real(wp), parameter :: forward_loss = 2.0_wp, gained = 40.0_wp
-    !> Backward steps beyond the last order at most.
+    !> Largest number of backward steps beyond the last order.
     integer, parameter :: most_steps = 100000
 
 contains

@@ -33,7 +33,7 @@ module mdrcontact_conduction_source
     type :: source_t
         !> a [length], and the heat Q [conductance potential]
         real(wp) :: radius = 0.0_wp, total = 0.0_wp
-        !> coefficients of s_j P_2j(x/a), s_j = sqrt((4j + 1)/2); further ones of smooth loads are nothing
+        !> coefficients of s_j P_2j(x/a), s_j = sqrt((4j + 1)/2); further ones of smooth loads are negligible
         real(wp), allocatable :: t(:)
         !> q(0), int_0^a q^2 dx, int_0^a q sqrt(a^2 - x^2) dx/a
         real(wp) :: centre = 0.0_wp, square = 0.0_wp, arc = 0.0_wp
@@ -121,7 +121,7 @@ contains
         end associate
     end function has_line_force
 
-    !> Whether a series is known, and its last terms are nothing.
+    !> Whether a series is known, and its last terms are negligible.
     pure function has_ended(t) result(answer)
         real(wp), allocatable, intent(in) :: t(:)
         logical :: answer

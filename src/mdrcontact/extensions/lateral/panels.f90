@@ -20,7 +20,7 @@ module mdrcontact_lateral_panels
 
     !> Panels beyond those between breaks.
     integer, parameter :: most_halvings = 4096
-    !> Breaks closer than this are one.
+    !> Breaks closer than this are merged.
     real(wp), parameter :: same = 1.0e-12_wp
 
 contains

@@ -31,7 +31,7 @@ module mdrcontact_lateral_slab
 
 contains
 
-    !> A length in contact radii, at most so many that weights, which fall as 1/z, are nothing there, and products of three of
+    !> A length in contact radii, at most so many that weights, which fall as 1/z, are negligible there, and products of three of
     !> them still numbers; 0 where halves of it would not be.
     elemental function in_radii(length, a) result(ratio)
         real(wp), intent(in) :: length, a

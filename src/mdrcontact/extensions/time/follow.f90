@@ -20,7 +20,7 @@ module mdrcontact_time_follow
     !> Rounding of a sum of exponentials, relative to its terms.
     real(wp), parameter :: noise = 1.0e-11_wp
     integer, parameter :: most_steps = 60
-    !> exp(-forgotten) is nothing; exp(-few_powers_below) is a sum of so many powers.
+    !> exp(-forgotten) is negligible; exp(-few_powers_below) is a sum of so many powers.
     real(wp), parameter :: forgotten = 40.0_wp, few_powers_below = 0.3_wp
     integer, parameter :: powers = 10
     real(wp), parameter :: factorial(powers + 1) = [1.0_wp, 2.0_wp, 6.0_wp, 24.0_wp, 120.0_wp, 720.0_wp, 5040.0_wp, 40320.0_wp, &

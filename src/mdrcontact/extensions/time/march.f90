@@ -17,7 +17,7 @@ module mdrcontact_time_march
     private
     public :: march_t, start_march, step_march, mark_kink
 
-    !> Contacts smaller than this part of the largest radius are none.
+    !> Smallest contact, relative to the largest radius; smaller ones count as lost.
     real(wp), parameter :: smallest_part = 1.0e-7_wp
     real(wp), parameter :: edge_tolerance = 1.0e-12_wp
     !> After so many trials the residual must have fallen to this part, else the bracket is cut in the middle of its logarithm: the
@@ -54,7 +54,7 @@ module mdrcontact_time_march
     type :: trial_t
         type(panels_t) :: panels
         real(wp), allocatable :: q(:), z(:, :), wave(:)
-        !> e_g - e_1 d, or F - wanted; falls through 0 where the contact should end
+        !> e_g - e_1 d, or F less the prescribed one; falls through 0 where the contact should end
         real(wp) :: residual = 0.0_wp, depth = 0.0_wp, force = 0.0_wp
         !> least of w - (d - g) outside the contact, where the surface has been touched
         real(wp) :: gap = 0.0_wp

@@ -31,7 +31,7 @@ module mdrcontact_time_memory
     integer, parameter :: counts(*) = [6, 10, 14, 18, 24, 32, 40, 52, 64, 80]
     integer, parameter :: samples_per_time = 4
     real(wp), parameter :: beyond = 30.0_wp
-    !> Times longer than the history in these units are one.
+    !> Times longer than the history in these units are merged.
     real(wp), parameter :: slow = 1000.0_wp
     !> Relative error that rounding leaves of the transform.
     real(wp), parameter :: reachable = 1.0e-12_wp

@@ -11,7 +11,7 @@ module mdrcontact_time_panels
 
     !> Nodes in a panel.
     integer, parameter :: per_panel = 16
-    !> Largest number of turns of the radius between panels.
+    !> Largest number of turns of the radius that end panels.
     integer, parameter :: most_turns = 16
     !> Ends weigh nothing, and what is divided by weights nothing else.
     real(wp), parameter :: no_weight = 1.0e-30_wp
@@ -85,7 +85,7 @@ contains
         end do
     end function interpolate
 
-    !> Ascending; those very near each other are one, and of too many the nearest to each other.
+    !> Add a turn in ascending order. Very near turns are merged, and the two nearest ones if there are too many.
     pure subroutine add_turn(turns, radius, limit)
         real(wp), allocatable, intent(inout) :: turns(:)
         real(wp), intent(in) :: radius, limit

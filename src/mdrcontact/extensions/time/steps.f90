@@ -24,7 +24,7 @@ module mdrcontact_time_steps
     !> so many times at most.
     real(wp), parameter :: margin = 1.3_wp
     integer, parameter :: most_widenings = 6
-    !> Relative tolerance of elastic contacts from which only a bound is wanted.
+    !> Relative tolerance of elastic contacts that only give a bound.
     real(wp), parameter :: of_bound = 1.0e-3_wp
     !> Steps after a kink: in units of the shortest time, after first contact in units of the interval, and how fast they grow.
     real(wp), parameter :: first_step = 0.25_wp, first_touch = 1.0e-3_wp, growth = 1.6_wp

@@ -48,7 +48,7 @@ module mdrcontact_wear_hats
 
 contains
 
-    !> n hats, and those whose line loads are wanted in Legendre polynomials.
+    !> n hats, and those with line loads in Legendre polynomials.
     subroutine new_hats(self, n, power, modes, error)
         type(hats_t), intent(out) :: self
         !> intervals, m, and polynomials: 0 for none

@@ -31,7 +31,7 @@ module mdrcontact_wear_history
 
     !> Intervals: by default, fewest, most; a multiple of 4.
     integer, parameter :: usual_intervals = 80, fewest_intervals = 16, most_intervals = 640
-    !> Legendre polynomials in which a film's springs act on each other at most.
+    !> Largest number of Legendre polynomials for the interaction of a film's springs.
     integer, parameter :: most_waves = 128
     !> A history begins with steps to (i/n)^1.5 of the contact radius; later ones grow with the distance. Soon after the force began
     !> to change, or ceased to, they are at most this multiple of a/n in k E0* s. So are all those under a given depth, where the

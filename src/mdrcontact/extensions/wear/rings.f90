@@ -6,7 +6,7 @@
 !>
 !>     sum_j B_ij p_j + int phi_i f_0 2 pi r dr + A_i [W(int p ds + ds p_i) - d] >= 0,   p_i >= 0,   one of both 0,
 !>
-!> B_ij = int phi_i S phi_j 2 pi r dr, is one contact under an added layer of springs: it has one solution, for any load does. What
+!> B_ij = int phi_i S phi_j 2 pi r dr, is one contact under an added layer of springs: it has one solution, for any load. What
 !> is worn off is sum A_i k p_i ds = k F ds to machine precision.
 module mdrcontact_wear_rings
     use mdrcontact_error, only: error_domain, error_no_convergence, error_t, raise, to_text
@@ -25,7 +25,7 @@ module mdrcontact_wear_rings
     real(wp), parameter :: rounding = 1.0e-13_wp
     !> So often all rings change that should, without their number falling, before they change one by one, which ends (Murty).
     integer, parameter :: patience = 8
-    !> Systems that are solved in a step at most, for each ring.
+    !> Largest number of systems solved in a step, for each ring.
     integer, parameter :: most_rounds = 20
     !> The rings reach so far at first, in contact radii, and twice as far each time that the contact has come to this part of them.
     real(wp), parameter :: ahead = 1.5_wp, nearly_all = 0.9_wp
@@ -193,7 +193,7 @@ contains
         end if
     end subroutine settle
 
-    !> Whether a disc of some rings touches, and no other, with two more rings before the last one.
+    !> Whether only a disc of inner rings touches, at least two rings from the last one.
     pure function is_one_disc(touching, beyond, n) result(answer)
         logical, intent(in) :: touching(0:)
         integer, intent(in) :: beyond, n

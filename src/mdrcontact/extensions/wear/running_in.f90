@@ -15,7 +15,7 @@ module mdrcontact_wear_running_in
     private
     public :: slowest_decay
 
-    !> Functions phi_j, and Legendre polynomials in which a film's springs act on each other at most.
+    !> Number of functions phi_j, and largest number of Legendre polynomials for the interaction of a film's springs.
     integer, parameter :: functions = 48, most_waves = 96
 
 contains

@@ -13,7 +13,7 @@ module mdrcontact_line_combine
     private
     public :: add_kernels
 
-    !> Octaves of y at most.
+    !> Largest number of octaves of y.
     integer, parameter :: most_octaves = 256
 
 contains

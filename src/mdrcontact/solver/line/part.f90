@@ -11,7 +11,7 @@ module mdrcontact_line_part
     private
     public :: part_t, part_memory_t, new_part
 
-    !> Blocks that are kept at most.
+    !> Largest number of blocks kept.
     integer, parameter :: most_blocks = 512
 
     !> Both parts of one_plus_chi and of chi at some wavenumbers: (one_plus_chi real, imaginary, chi real, imaginary; wavenumber).

@@ -6,7 +6,7 @@ module mdrcontact_line_series
     private
     public :: add_even_sum, add_projections, even_slope, even_sum, weigh_even
 
-    !> Places at a time: room for them is fixed.
+    !> Number of places in a block, whose memory is fixed.
     integer, parameter :: together = 256
 
 contains

@@ -26,12 +26,12 @@ module mdrcontact_line_solve
     integer, parameter :: large = 300
     !> Moments of a fine kernel beyond this part of the highest order do not show in numbers that depend on them by squares.
     real(wp), parameter :: needed = 0.6_wp
-    !> Unknowns where the coefficients themselves are wanted, in those of a state, and what the last of them may be, in tolerances.
+    !> Number of unknowns for the coefficients themselves, relative to that of a state, and limit of the last ones in tolerances.
     real(wp), parameter :: more_of_series = 1.4_wp, loose = 10.0_wp
     !> Rounding of the kernel and its moments, with some to spare.
     real(wp), parameter :: rounding = 14.0_wp*epsilon(1.0_wp)
 
-    !> (1 + K) q = E0* (d - g) at one contact radius by n unknowns, with as many rows as are wanted.
+    !> (1 + K) q = E0* (d - g) at one contact radius by n unknowns, with as many rows as requested.
     type :: equation_t
         type(moments_t) :: moments
         !> the Cholesky factor of the first n rows of 1 + H, and the rows beyond
@@ -135,7 +135,7 @@ contains
         type(kernel_t), intent(in) :: kernel
         !> relative tolerance, and contact radius [unit]
         real(wp), intent(in) :: tolerance, a
-        !> g is not a polynomial in x^2; q_1 at the edge is wanted
+        !> g is not a polynomial in x^2; q_1 at the edge is needed
         logical, intent(in) :: is_kinked, to_edge
         integer :: n
         real(wp) :: contrast, coarse, rate, unknowns

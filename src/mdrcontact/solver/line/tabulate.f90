@@ -19,7 +19,7 @@ module mdrcontact_line_tabulate
     private
     public :: tabulate_kernel, attempts, elastic_misfit, powers_from_values, stiff
 
-    !> Octaves of y at most.
+    !> Largest number of octaves of y.
     integer, parameter :: most_octaves = 128
     !> From this 1 + chi(0) on rounding of X(0) would be seen in d and F; and octaves of y in which X may be X(0) and little less.
     real(wp), parameter :: stiff = 1.0e3_wp

@@ -27,7 +27,7 @@ module mdrcontact_line_zone
     private
     public :: zoned_springs_t, new_zoned_springs, zone_state_t, zone_load_t
 
-    !> Unknowns at most, and how many more than those of a state without a zone are begun with.
+    !> Largest number of unknowns, and the surplus at the start over those of a state without a zone.
     integer, parameter :: most_unknowns = 1500, more = 2
     !> Part of the tolerance that the last terms of a series and the integrals may leave.
     real(wp), parameter :: share = 0.01_wp

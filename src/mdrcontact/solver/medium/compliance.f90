@@ -42,7 +42,7 @@ contains
         end if
     end subroutine check_body_surface
 
-    !> C(k), for any model by which contacts are solved by (theory/exact.md (1.1)): 2/(E* k) of a half-space under a pressure, (2 -
+    !> C(k), for any model of the contact (theory/exact.md (1.1)): 2/(E* k) of a half-space under a pressure, (2 -
     !> nu)/(2 G k) under a load of one direction averaged over the directions of the wave, 1/(G k) under one across the wave, which
     !> a twist consists of. Under a load along the wave it is twice the second less the third.
     subroutine of_elastic(body, surface, load, k, values, error)

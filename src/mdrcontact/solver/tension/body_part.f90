@@ -21,7 +21,7 @@ module mdrcontact_tension_body_part
     real(wp), parameter :: first_wave = 1.0e-13_wp, last_wave = 22.0_wp
     !> The waves by which what the layers change falls, as a distance [depth of the first].
     real(wp), parameter :: fall = 7.5_wp
-    !> Bessel functions below this are nothing.
+    !> Bessel functions below this are negligible.
     real(wp), parameter :: smallest_bessel = 1.0e-60_wp
 
 contains
@@ -118,7 +118,7 @@ contains
         end do
     end subroutine fill_basis
 
-    !> Up to `most`: beyond this order J_m(x) < (x/2)^m/m! is nothing, and GSL's recurrence would underflow.
+    !> Up to `most`: beyond this order J_m(x) < (x/2)^m/m! is negligible, and GSL's recurrence would underflow.
     pure function last_order(x, most) result(m)
         real(wp), intent(in) :: x
         integer, intent(in) :: most

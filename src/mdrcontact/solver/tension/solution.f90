@@ -133,7 +133,7 @@ contains
         stiffness_slope = extrapolated(stiffness_slope, -pi*self%fewer_rate(1))
     end subroutine flat
 
-    !> The same, d0 and F0/E0* of a profile.
+    !> d0 and F0/E0* of a profile on this contact.
     subroutine respond(self, profile, stiffness, stiffness_slope, depth, force, error)
         class(solution_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
