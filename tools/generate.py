@@ -48,7 +48,7 @@ NO_CODES = {"mdr_warning", "mdr_law_format", "mdr_fit_instrument"}
 # Words that the names of the statuses do not give.
 STATUS_WORDS = {"ENOCONVERGENCE": "no-convergence", "ENOMEMORY": "no-memory"}
 WORD_OF = """\
-    !> What a code means in a word, as all languages and problem files write it; empty for a number that is no code.
+    !> Name of a code, the same in all languages and problem files; empty for a number that is not a code.
     pure function word_of(code) result(word)
         !> of any enumeration
         integer, intent(in) :: code

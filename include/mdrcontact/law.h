@@ -242,7 +242,7 @@ typedef struct mdr_law_interval {
     double lowest;        /**< Lower end [length]. */
     double highest;       /**< Upper end [length]. */
     double scale;         /**< Of y [1/length, with a root its square root]. */
-    double offset;        /**< Of y. */
+    double offset;        /**< Offset of y. */
     double last_y;        /**< Largest y; the smallest is 1. */
     double is_root;       /**< 1 with a root, otherwise 0. */
     double origin;        /**< Origin of the root [length]. */

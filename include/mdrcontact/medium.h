@@ -72,7 +72,7 @@ int mdr_model_info(int model, mdr_model_facts *facts);
 /** Poisson's ratio in I0 of Gao's weights, which Popov (2014) does not specify. */
 enum mdr_weight_nu {
     MDR_WEIGHT_NU_SURFACE = 1201,   /**< That of the surface: the most accurate on average; the default. */
-    MDR_WEIGHT_NU_SUBSTRATE = 1202, /**< That of the substrate. */
+    MDR_WEIGHT_NU_SUBSTRATE = 1202, /**< Poisson's ratio of the substrate. */
     MDR_WEIGHT_NU_EFFECTIVE = 1203, /**< The effective one at the same contact radius. */
     MDR_WEIGHT_NU_GIVEN = 1204      /**< The value of weight_nu. */
 };

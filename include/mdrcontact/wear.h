@@ -142,7 +142,7 @@ typedef struct mdr_wear_options {
     size_t size;   /**< Size of this structure; MDR_SIZED sets it. */
     int intervals; /**< n, a multiple of 4, 16 to 640; default 0: 80. */
     int places;    /**< Of enum mdr_wear_places; default 0: MDR_WEAR_FRESH. */
-    int scheme;    /**< Of enum mdr_wear_scheme; default 0: MDR_WEAR_DISC. */
+    int scheme;    /**< Code of enum mdr_wear_scheme; default 0: MDR_WEAR_DISC. */
 } mdr_wear_options;
 
 /** Create a history of a contact that has not slid. A step takes about a millisecond.

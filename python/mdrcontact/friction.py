@@ -45,8 +45,8 @@ class Friction(Value):
     The normal force is constant, and the shear does not change the pressure (Cattaneo, Mindlin); the tangential force would be 1 to
     6 % higher with this coupling. The displacement that varies as cos 2 phi around the axis is neglected, at most 0.25 % of the
     force. Apart from this, homogeneous and exact media are solved exactly; Gao's models superpose punches. A negative pressure, or
-    slip that begins inside the contact immediately (a flat punch on a stiff coating), raises `DomainError`; slip that begins inside later raises a
-    `SlipInsideWarning`.
+    slip that begins inside the contact immediately (a flat punch on a stiff coating), raises `DomainError`; slip that begins inside
+    later raises a `SlipInsideWarning`.
 
     References
     ----------

@@ -221,7 +221,7 @@ contains
         call write_facts(facts, c_loc(made), used)
     end function mdr_law_about
 
-    !> What a law with friction has in addition.
+    !> Additional data of a law with friction.
     subroutine add_friction(friction, facts)
         type(friction_law_t), intent(in) :: friction
         type(c_law_facts_t), intent(inout) :: facts

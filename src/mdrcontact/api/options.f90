@@ -50,7 +50,7 @@ contains
         to(smallest + 1:) = from(smallest + 1:)
     end subroutine write_facts
 
-    !> How many bytes of a structure both the caller and the library know. What only the caller has must be 0.
+    !> Size of the part of a structure that both caller and library define. The rest of the caller's must be 0.
     subroutine check_size(error, name, given, full, used)
         type(error_t), allocatable, intent(inout) :: error
         character(len=*), intent(in) :: name

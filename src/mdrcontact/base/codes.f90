@@ -397,7 +397,7 @@ module mdrcontact_codes
     ! enum mdr_weight_nu
     !> MDR_WEIGHT_NU_SURFACE. That of the surface: the most accurate on average; the default.
     integer, parameter :: weight_nu_surface = 1201
-    !> MDR_WEIGHT_NU_SUBSTRATE. That of the substrate.
+    !> MDR_WEIGHT_NU_SUBSTRATE. Poisson's ratio of the substrate.
     integer, parameter :: weight_nu_substrate = 1202
     !> MDR_WEIGHT_NU_EFFECTIVE. The effective one at the same contact radius.
     integer, parameter :: weight_nu_effective = 1203
@@ -470,7 +470,7 @@ module mdrcontact_codes
 
 contains
 
-    !> What a code means in a word, as all languages and problem files write it; empty for a number that is no code.
+    !> Name of a code, the same in all languages and problem files; empty for a number that is not a code.
     pure function word_of(code) result(word)
         !> of any enumeration
         integer, intent(in) :: code

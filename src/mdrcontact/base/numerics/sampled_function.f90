@@ -125,7 +125,7 @@ contains
         end do
     end subroutine new_sampled_function
 
-    !> What those of one function may be.
+    !> Limit of the last terms of one function.
     pure function allowed_of_function(self, sampling, panel, left, right, tail, before) result(allowed)
         class(function_source_t), intent(in) :: self
         type(sampling_t), intent(in) :: sampling
@@ -167,7 +167,7 @@ contains
         radius = x
     end function argument_of_function
 
-    !> How many coefficients are more than the rounding of values and of positions.
+    !> Number of coefficients that exceed the rounding of values and positions.
     pure function leading(c, left, right) result(count)
         real(wp), intent(in) :: c(nodes), left, right
         integer :: count
@@ -304,7 +304,7 @@ contains
         call move_alloc(self%integrals, to%integrals)
     end subroutine move_to
 
-    !> What a copy takes [byte].
+    !> Size of a copy [byte].
     pure function bytes(self)
         class(sampled_function_t), intent(in) :: self
         integer(int64) :: bytes

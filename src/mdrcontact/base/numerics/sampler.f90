@@ -125,7 +125,7 @@ module mdrcontact_numerics_sampler
         logical, allocatable :: roots(:)
     end type waiting_t
 
-    !> What becomes of a panel.
+    !> Outcome for a panel.
     integer, parameter :: keep = 0, halve = 1, by_values = 2
 
     !> A panel that is sampled.
@@ -481,7 +481,7 @@ contains
         if (right - left < noisy_length .and. tail > 0.5_wp*before) allowed = max(allowed, sampling%noise)
     end function allowed_of_columns
 
-    !> How large some numbers of each counted column are, by the measure of errors.
+    !> Size of some numbers of each counted column, in the norm of the errors.
     pure function largest(source, panel, numbers) result(size_of_them)
         class(column_source_t), intent(in) :: source
         real(wp), intent(in) :: panel(:, :), numbers(:, :)

@@ -325,7 +325,7 @@ contains
         end if
     end subroutine matrices
 
-    !> How stiff the places between the elements are to a wave, the one that is least: 0 or less where the body is unstable
+    !> Least stiffness of the places between the elements to a wave: 0 or less where the body is unstable
     !> inside. From the bottom up what lies below an element holds its bottom together with the element itself, whose top is
     !> held: the pivots of the body's stiffness matrix, all positive and with them that of the surface if the wave costs energy
     !> (Sylvester). No single layer is unstable between held faces, as long as no constant of it vanishes (van Hove).

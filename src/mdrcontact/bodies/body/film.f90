@@ -11,7 +11,7 @@ module mdrcontact_body_film
     private
     public :: film_t, new_film
 
-    !> What the compliance depends on in addition to kh.
+    !> Parameters of the compliance in addition to kh.
     type :: film_t
         private
         !> b, c, and 1 - b, 1 - c, 1 + c, 1 - b c

@@ -239,7 +239,7 @@ contains
         state%tangential_force = force
     end subroutine at_tangential_force
 
-    !> What the annulus beyond a radius transmits in slip, less what it would in stick with the disc inside: T - k_t(c) s at the
+    !> Load of the slipping annulus beyond a radius, less its load if it stuck to the disc inside: T - k_t(c) s at the
     !> stick radius c, for a coefficient of friction of 1.
     subroutine load_beyond(self, radius, load, error)
         class(first_shear_t), intent(in) :: self

@@ -210,7 +210,7 @@ contains
         end do
     end subroutine find_images
 
-    !> What has a closed form in addition to the half-space.
+    !> Closed forms for bodies other than the half-space.
     pure subroutine add_images(self, rule, load, depth, r, sums)
         class(gradient_states_t), intent(in) :: self
         type(half_space_rule_t), intent(in) :: rule

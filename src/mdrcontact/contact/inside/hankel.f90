@@ -109,7 +109,7 @@ contains
         sizes = merge([2, 4, 2], [3, 2, 0], self%states%along_surface)
     end function groups
 
-    !> What multiplies the Bessel functions in each sum, times p_hat dk: (node, sum). The last shear sum is with J2 itself.
+    !> Factors of the Bessel functions in each sum, times p_hat dk: (node, sum). The last shear sum is with J2 itself.
     pure subroutine weighted_state(self, depth, first, last, columns)
         type(hankel_t), intent(in) :: self
         type(depth_t), intent(in) :: depth

@@ -260,7 +260,7 @@ contains
         call run_batch(work, size(contacts%force), block_size, smallest_parallel, threads, error)
     end subroutine steps
 
-    !> How many contacts, from the first one on, certainly have no error; check_step reports another one.
+    !> Number of contacts, from the first one on, that certainly have no error; check_step decides for the others.
     function valid_steps(self, contacts, first) result(valid)
         type(friction_law_t), intent(in) :: self
         type(contact_steps_t), intent(in) :: contacts

@@ -128,7 +128,7 @@ contains
         end do
     end function unknowns_for
 
-    !> What the lower body takes in addition to its part S_0/S_2 of the source, (1 + H) c' = (S_0/S_2) (H_2 - H) t, and what the
+    !> Flux into the lower body in addition to its part S_0/S_2 of the source, (1 + H) c' = (S_0/S_2) (H_2 - H) t, and what the
     !> layers of the lower body add to the line's temperature, c' + H_1 c.
     subroutine share_out(conduction, source, n, flux_into_lower, temperature, reached, error)
         type(conduction_t), intent(in) :: conduction

@@ -102,8 +102,8 @@ contains
         self%x = a + self%beyond
     end subroutine new_zone_rule
 
-    !> How many nodes leave the tolerance on a panel: errors fall as rho^(-2n) for the ellipse through the nearest singularity, that
-    !> of the kernel next to the panel, the root at the end of the zone, or a kink of g behind the panel.
+    !> Number of nodes that meet the tolerance on a panel: errors fall as rho^(-2n) for the ellipse through the nearest singularity,
+    !> that of the kernel next to the panel, the root at the end of the zone, or a kink of g behind the panel.
     pure function nodes_for(end, left, long, has_root, passed, unit, away, tolerance) result(nodes)
         !> c, what is left of the zone behind the panel, its own length
         real(wp), intent(in) :: end, left, long

@@ -193,7 +193,7 @@ contains
 
     end subroutine integrate
 
-    !> How many nodes a panel takes: their error falls as rho^(-2 nodes), rho that of the largest ellipse around it without the
+    !> Number of nodes of a panel: their error falls as rho^(-2 nodes), rho that of the largest ellipse around it without the
     !> axis, where a power of c may begin, and without what lies `scale` next to it.
     pure function nodes_for(edge, length, scale, most) result(nodes)
         real(wp), intent(in) :: edge, length, scale
