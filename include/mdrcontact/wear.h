@@ -171,7 +171,7 @@ int mdr_wear_history_new(const mdr_wear *w, int given, double value, const mdr_w
  */
 int mdr_wear_history_copy(const mdr_wear_history *h, mdr_wear_history **out);
 
-/** Continue a history. In each part of the path depth or force changes linearly to its final value. Under a constant force the steps
+/** Continue a history. In each part of the path depth or force changes linearly to its final value. Under constant force the steps
  *  grow with the distance. After a failure the history is unchanged, and can continue with other values: mdr_last_failure() returns
  *  the number of the part that is not possible.
  *  @param h        history

@@ -131,7 +131,7 @@ def fits(section: Section, table: MeasuredTable, kind: str) -> bool:
     """Whether a table may be a test; what is missing in the only one of a file is reported where it is read."""
     if not table.name:
         return True
-    # one row for each test is what a program made of them
+    # one row for each test: results of a program
     if any(title.strip().lower() == "test" for title in table.titles):
         return False
     if kind in RECORDS:

@@ -26,7 +26,7 @@ module mdrcontact_conduction_rough
 
     !> Terms of the series, fewer of them that must agree, and nodes of the rules.
     integer, parameter :: terms = 28, fewer = 20, nodes = 96
-    !> Largest relative difference of two results: of the series, else panels are taken, and of these.
+    !> Largest relative difference of two results, for the series (panels are used otherwise) and for panels.
     real(wp), parameter :: settled = 1.0e-9_wp, allowed = 1.0e-6_wp
 
 contains

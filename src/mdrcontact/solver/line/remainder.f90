@@ -17,7 +17,7 @@ module mdrcontact_line_remainder
     type :: remainder_t
         !> 1/S_i, tapered
         real(wp), allocatable :: inverse(:)
-        !> what of 1/S_i is not 1
+        !> 1/S_i - 1
         real(wp), allocatable, private :: uncertainty(:)
         !> weights that go to 0 over the last quarter and eighth of the terms
         real(wp), allocatable, private :: quarter(:), eighth(:)
