@@ -325,8 +325,8 @@ def history(
         raise InvalidArgumentError("radius: the contact radius of a flat punch is constant. Give depth or force")
     if not is_flat and (given != "radius" or not (values == values[:1]).all()):
         raise InvalidArgumentError(
-            "this path is not offered: under a paraboloid on a gel the contact radius changes with the fluid's pressure, and the "
-            "surface that drains with it, which is not solved; give radius=, one constant, the radius that is held from the step on"
+            "this path is not supported: under a paraboloid on a gel the contact radius and the drained surface change with the "
+            "pressure of the fluid. Give radius=, the constant contact radius after the step"
         )
     drainage_code(drainage)
     if not t.size:

@@ -89,9 +89,9 @@ LIMITS: tuple[Limit, ...] = (
         Paraboloid(1.0), _RELAXING).at_depth(0.1)),
     Limit("histories of viscoelastic bodies", _EXACT, "a jump onto a power law", lambda: Contact(
         Paraboloid(1.0), _RELAXING).history([0.0, 1.0], depth=[0.1, 0.1])),
-    Limit("gels", "exact at a held radius", "a contact that moves", lambda: gel_history(
+    Limit("gels", "exact at a constant radius", "a contact that moves", lambda: gel_history(
         Contact(Paraboloid(1.0), Homogeneous(_GEL)), [0.0, 1.0, 2.0], depth=[0.1, 0.1, 0.2], drainage="surface")),
-    Limit("gels", "exact at a held radius", "a film, a/h = 5", lambda: Contact(
+    Limit("gels", "exact at a constant radius", "a film, a/h = 5", lambda: Contact(
         FlatPunch(5.0), Coated(_GEL, 1.0, RIGID)).relaxation(1.0, drainage="surface")),
     Limit("conduction", "exact, to 1e-11", "a/h = 2e4", lambda: Conduction(
         LayeredConductor(((Conductor(2.0), 1.0),), Conductor(1.0))).at_radius(2e4)),

@@ -217,7 +217,7 @@ def _subtract_drift(section: Section, record: Record) -> None:
     record.depth = without_drift(record.time, depth, rate)
     whole = rate * float(np.ptp(record.time))
     words = f"drift {shown(rate, SPEED)}" + (f" ± {shown(error, SPEED)}" if error else "")
-    record.notes.append(f"{words}, {shown(whole, LENGTH)} over the whole test, is taken off")
+    record.notes.append(f"{words}, {shown(whole, LENGTH)} over the whole test, is subtracted")
 
 
 def _approach(record: Record) -> slice:
@@ -290,10 +290,10 @@ def _take_off_baseline(record: Record, approach: slice, contact: int, tilts: boo
     whole = tilted.tilt * float(np.ptp(depth))
     share = abs(whole) / float(np.ptp(record.force))
     record.force = record.force - line.at(depth)
-    left = "" if tilts or share < _LITTLE else ', which stays: baseline = "tilt" takes it off'
+    left = "" if tilts or share < _LITTLE else ', which remains: baseline = "tilt" subtracts it'
     record.notes.append(
-        f"baseline: offset {shown(float(line.at(depth)[contact]), FORCE)} at contact, noise {shown(line.noise, FORCE)}, taken off; "
-        f"its tilt makes {shown(whole, FORCE)} over the curve, {100.0 * share:.2g} % of the force{left}"
+        f"baseline: offset {shown(float(line.at(depth)[contact]), FORCE)} at contact, noise {shown(line.noise, FORCE)}, subtracted"
+        f"; its tilt makes {shown(whole, FORCE)} over the curve, {100.0 * share:.2g} % of the force{left}"
     )
 
 

@@ -232,7 +232,9 @@ class ForceDepth(Data):
                 if word not in BRANCHES:
                     raise InvalidArgumentError(f"branch = {word!r}: choose from 'loading', 'unloading'")
             if len(words) != np.size(depth):
-                raise InvalidArgumentError(f"branch has {len(words)} entries and depth {np.size(depth)}: they must be as many")
+                raise InvalidArgumentError(
+                    f"branch has {len(words)} entries and depth {np.size(depth)}: they must have the same length"
+                )
             self._given = np.array([BRANCHES[word] for word in words], dtype=np.int32)
         super().__init__(depth, force, None, sd, relative_sd, missing)
 
