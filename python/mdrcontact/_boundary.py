@@ -183,7 +183,7 @@ def record(layout: np.dtype[Any], **members: Any) -> Record:
 
 
 def records(layout: np.dtype[Any], rows: Sequence[Mapping[str, Any]]) -> Record:
-    """Structures of the header, as `record` makes one; one of zeros where there are no rows."""
+    """Array of structures of the header; one structure of zeros if there are no rows."""
     held: dict[str, list[Any]] = {}
     made = np.zeros(max(len(rows), 1), layout)
     if "size" in (layout.names or ()):

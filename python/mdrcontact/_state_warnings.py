@@ -26,7 +26,7 @@ from .profile import Paraboloid
 __all__: list[str] = []
 
 _NOTICEABLE = 1e-4
-"""A negative pressure of this part of the mean pressure is more than the solver's error; of the depth, an overlap."""
+"""Fraction of the mean pressure, or of the depth, beyond which a negative pressure, or an overlap, exceeds the solver error."""
 _DEEPER = 1.2
 """States this much deeper than those examined before are checked for warnings."""
 _BEYOND = np.geomspace(1.1, 60.0, 30)

@@ -33,7 +33,7 @@ _BEGINS, _ZERO, _GAIN = (0.01, 0.05), 0.03, 0.01
 _EXPONENTS = 1.1, 2.0
 """The power of unloading curves of homogeneous bodies is between those of a punch and a cone."""
 _VAGUE, _NONE, _STEEPEST = 0.03, 0.5, 4.0
-"""Standard errors of the stiffness, as parts of it, beyond which readings determine no power, and none; the largest power."""
+"""Relative standard errors of the stiffness beyond which readings determine no power, or no stiffness; the largest power."""
 _LEAST = 1e-12
 """Slope, in parts of the force over the depth."""
 _SHARPEST = 0.3
@@ -215,7 +215,7 @@ def _doubts_of_record(h: Array, p: Array, first: Segment) -> list[str]:
     if first.kind != "loading" or lift[0] > _BEGINS[0] * rise:
         return []
     words = []
-    # loading is a power of the depth between 1 and 2: two points of its beginning say where it can have begun
+    # loading is a power of the depth between 1 and 2: two points near its start bound the position of the start
     (h1, h2), (p1, p2) = (v[[int(np.argmax(lift > part * rise)) for part in _BEGINS]] for v in (h, lift))
     steepness = max(float(p2 / p1), 1.0 + 1e-9)
     low, high = (float(h1 - (h2 - h1) / (steepness ** (1.0 / power) - 1.0)) for power in (2.0, 1.0))

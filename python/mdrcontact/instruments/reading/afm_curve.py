@@ -37,7 +37,7 @@ class AfmCurve(NamedTuple):
     is_in_time: bool = False
     """whether it is a creep or relaxation test"""
     number: int = 1
-    """of the curve, as the file counts from 1"""
+    """number of the curve in the file, from 1"""
 
 
 class Phase(NamedTuple):

@@ -10,7 +10,7 @@ module mdrcontact_line_ray
 
     !> Octaves below this one (k in units of 1/unit) contribute nothing to positions up to the unit.
     integer, parameter :: negligible_octave = -56
-    !> Where an octave contributes this little compared with the largest one, what lies below it follows a power of k.
+    !> Contribution of an octave, relative to the largest one, below which a power of k represents the smaller wavenumbers.
     real(wp), parameter :: negligible_part = 2.0_wp**(-44)
     !> Octaves in which the resolution of chi is watched.
     integer, parameter :: watched_octave = -30

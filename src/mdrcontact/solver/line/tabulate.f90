@@ -28,7 +28,7 @@ module mdrcontact_line_tabulate
     integer, parameter :: deepest_plateau = 36
     !> Largest error of chi in the table of an elastic body, in parts of its largest value.
     real(wp), parameter :: elastic_misfit = 1.0e-10_wp
-    !> A body no deeper than so many thicknesses of its first layer is one of layers, not a grading.
+    !> Largest depth, in thicknesses of the first layer, at which a body counts as layered and not as graded.
     real(wp), parameter :: coarse = 100.0_wp
     !> Rays tried in turn, pi/denominator, panels in an octave of wavenumbers on each, and how often halves of octaves are halved.
     !> The last ones are for layers, much stiffer in shear than along their normal, whose waves exp(-lambda k z) oscillate more

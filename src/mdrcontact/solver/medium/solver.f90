@@ -262,7 +262,7 @@ contains
     !> Raises unless the medium comes to springs exactly.
     pure subroutine check_springs(self, what, error)
         class(solver_t), intent(in) :: self
-        !> that needs them, with its verb
+        !> quantity that needs them, with its verb
         character(len=*), intent(in) :: what
         type(error_t), allocatable, intent(inout) :: error
 
