@@ -128,7 +128,7 @@ def test_no_adhesion_is_found_as_none():
     assert "6105" not in result.summary()
 
 
-@pytest.mark.parametrize(("branch", "words"), [("up", "'loading'"), (["loading"], "as many")])
+@pytest.mark.parametrize(("branch", "words"), [("up", "'loading'"), (["loading"], "the same length")])
 def test_wrong_branches_are_refused(branch, words):
     with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
         mdi.ForceDepth([1e-9, 2e-9], [1e-9, 2e-9], branch=branch)

@@ -73,7 +73,7 @@ def test_generic_evaluation(law, branch, quantity):
 
 
 def test_unknown_quantity():
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="quantity = 'forse' .*did you mean 'force'"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="quantity = 'forse': did you mean 'force'"):
         Branch(LAWS["film"](), "forse", "loading", np, np.asarray, np.asarray)
 
 

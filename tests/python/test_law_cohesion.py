@@ -36,7 +36,7 @@ def lowest(contact, control, branch):
 def test_between_its_nodes_the_law_is_the_contact(tip, body, stress):
     contact = contact_with(tip, body, stress)
     if tip is CONE and body is HALF_SPACE and stress == 30.0:
-        with pytest.raises(mdr.errors.InvalidArgumentError, match="no state is stable under a force"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="no state is stable under force"):
             mdr.ContactLaw(contact, LARGEST)
         return
     law = mdr.ContactLaw(contact, LARGEST, tolerance=TOLERANCE)

@@ -225,7 +225,7 @@ def on_film(a, drainage):
         (lambda: mdr.Coated(GEL, 1.0, mdr.RIGID, "gao"), "no other model"),
         (lambda: mdr.Contact(mdr.FlatPunch(1.0), punch().medium, 1.0), "work_of_adhesion"),
         (lambda: ramp(mdr.Cone(0.1)), "Paraboloid"),
-        (lambda: ramp(mdr.Paraboloid(1.0)), "not solved"),
+        (lambda: ramp(mdr.Paraboloid(1.0)), "not supported"),
         (lambda: mdi.fit(mdi.ForceTime([0.0, 1.0], [1.0, 1.0], [2.0, 1.0]), mdr.FlatPunch(1.0), FILM, ["coating.nu"]), "fit_gel"),
         (lambda: mdr.Pair(FILM, mdr.Homogeneous(mdr.Elastic(1.0, 0.2))), "poroelastic"),
         (lambda: mdr.Friction(punch(), 0.1), "poroelastic"),

@@ -273,7 +273,7 @@ def test_fits_that_cannot_be():
     with pytest.raises(mdr.errors.InvalidArgumentError, match="free = 'gamma'"):
         mdi.fit_rate(curves, guess, ["gamma"])
     layered = guess.replace(medium=mdr.Layered([(mdr.Elastic(1e6, 0.5), 1e-4)], mdr.Elastic(2e6, 0.5)))
-    with pytest.raises(mdr.errors.InvalidArgumentError, match=r"free = 'layers\[0\].e' .*layers\[0\]\.E"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match=r"free = 'layers\[0\].e': .*layers\[0\]\.E"):
         mdi.fit_rate(curves, layered, ["layers[0].e"])
     with pytest.raises(mdr.errors.ArgumentTypeError, match="adhesion="):
         mdi.fit_rate(curves, mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY), ["work"])

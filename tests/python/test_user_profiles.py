@@ -126,7 +126,7 @@ def test_a_sphere_that_loses_digits_is_continued(r_max):
 
 @pytest.mark.parametrize("r_max", [1e-9, 1e-8])
 def test_a_sphere_of_which_nothing_is_left_is_refused(r_max):
-    with pytest.raises(mdr.errors.NoConvergenceError, match=r"loses digits towards the axis: at r = .*write it without"):
+    with pytest.raises(mdr.errors.NoConvergenceError, match=r"is inaccurate near the axis: at r = .*Write it without"):
         mdr.CallableProfile(lambda r: 10e-6 - math.sqrt(1e-10 - r * r), r_max)
 
 

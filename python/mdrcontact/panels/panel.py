@@ -113,7 +113,7 @@ class Panel(NamedTuple):
     """True if y is a depth"""
 
 
-class Figure(NamedTuple):
+class Sheet(NamedTuple):
     """Panels under one title."""
 
     title: str
@@ -121,12 +121,6 @@ class Figure(NamedTuple):
     columns: int = 2
     heights: tuple[float, ...] = ()
     """of the rows, relative; equal if empty"""
-
-    def _repr_png_(self) -> bytes:
-        """Draw the figure in a notebook."""
-        from .matplotlib import png
-
-        return png(self)
 
 
 def along(name: str, dimension: Dimension, values: Any, **options: Any) -> tuple[Axis, Unit]:

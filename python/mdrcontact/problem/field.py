@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from inspect import Parameter, signature
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from .._units import RATIO, Dimension
@@ -52,7 +51,7 @@ class Field(NamedTuple):
     optional: bool = False
     choices: tuple[str, ...] = ()
     range: Range | None = None
-    when: Mapping[str, tuple[str, ...]] = MappingProxyType({})
+    when: Mapping[str, tuple[str, ...]] = {}
     table: Table | None = None
     many: bool = False
     step: int = 0

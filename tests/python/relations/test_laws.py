@@ -75,7 +75,7 @@ def test_laws_under_plates(tip, medium, share):
     law = mdr.ContactLaw(contact, largest, tolerance=1e-7)
     first = law.depth_range[0]
     if first > 1.1e-4 * largest:
-        with pytest.raises(mdr.MDRError, match="the lowest force"):
+        with pytest.raises(mdr.MDRError, match="where the medium begins|the lowest force"):
             contact.at_depth(0.99 * first)
     depth = np.geomspace(first * (1.0 + 1e-4), largest, 9)
     expected, found = contact.at_depth(depth), law.at_depth(depth)

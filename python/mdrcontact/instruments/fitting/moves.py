@@ -170,7 +170,7 @@ def find_moves(result: FitResult, name: str | None = None) -> Moves:
     >>> body = mdr.Homogeneous(mdr.Elastic(72e9, 0.17))
     >>> result = mdr.instruments.fit(mdr.instruments.ForceDepth(depth, force), mdr.Paraboloid(10e-6), body, ["E"])
     >>> print(mdr.instruments.find_moves(result).summary()[0])
-    modulus E moves by -10 % to +0 % with the range that is fitted (up to depth 40 nm, up to depth 100 nm)
+    modulus E moves by -10 % to +0 % with the fitted range (up to depth 40 nm, up to depth 100 nm)
     """
     if name is not None and name not in result.names:
         raise InvalidArgumentError(f"{name!r} is not a free parameter: {nearest(str(name), result.names)}")

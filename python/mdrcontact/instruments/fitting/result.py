@@ -94,10 +94,10 @@ class FitResult:
     >>> data = mdr.instruments.ForceDepth(depth, force + noise, sd=1e-4)
     >>> result = mdr.instruments.fit(data, mdr.Paraboloid(10e-6), silica, ["E"])
     >>> print(result.as_text("E"), result.verdict, result.converged)
-    71.89 ± 0.45 GPa describes True
+    71.89 ± 0.35 GPa describes True
     >>> interval = result.interval("E")
     >>> print(f"{interval.lower / 1e9:.2f} {interval.upper / 1e9:.2f}")
-    71.00 72.78
+    71.21 72.57
     """
 
     def __init__(

@@ -7,7 +7,6 @@ import importlib
 import logging
 import math
 import re
-import warnings
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -30,6 +29,7 @@ _NUMBERED = re.compile(r"\.\d{3}")
 """Endings that NanoScope gives its files."""
 TEXT_SUFFIXES = (".csv", ".txt")
 """Endings of files that it may support if they are no plain tables."""
+_NUMBER = re.compile(r"\s*[-+]?\.?\d")
 _HINTS = {
     ".zip": "; unpack it, and give the folder of its files",
     ".h5": "; of HDF5 only force curves that it wrote are read: export depth, force and time as text",
@@ -123,14 +123,13 @@ def _by_afmformats(path: Path, lever: Lever) -> list[AfmCurve]:
     given = {"spring constant": lever.spring_constant, "sensitivity": lever.sensitivity}
     chosen = {name: value for name, value in given.items() if value is not None}
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            # the warning of NumPy about a text without numbers, which is no curve
-            warnings.filterwarnings("error", message=".*no data")
-            try:
-                loaded = afmformats.load_data(path)
-            except afmformats.errors.MissingMetaDataError:
-                loaded = afmformats.load_data(path, meta_override=chosen)
+        # NumPy would warn of a text without numbers or with comments above them, which is of no AFM
+        if path.suffix.lower() in TEXT_SUFFIXES and not _may_be_text(path):
+            raise ValueError("no curve in a text")
+        try:
+            loaded = afmformats.load_data(path)
+        except afmformats.errors.MissingMetaDataError:
+            loaded = afmformats.load_data(path, meta_override=chosen)
         curves = numbered([(data.metadata.get("enum"), _curve(data, chosen)) for data in loaded if data.modality in _MODALITIES])
     except MDRError as problem:
         fault = MissingSettings if isinstance(problem, MissingSettings) else FileError
@@ -143,6 +142,12 @@ def _by_afmformats(path: Path, lever: Lever) -> list[AfmCurve]:
     if not curves:
         raise FileError(f"{path}: it holds no curves of force against distance, of creep or of relaxation")
     return curves
+
+
+def _may_be_text(path: Path) -> bool:
+    """Whether a text has a line that begins with a number, and does not begin with a comment."""
+    lines = path.read_text(encoding="utf-8", errors="replace").split("\n")
+    return not lines[0].startswith("#") and any(map(_NUMBER.match, lines))
 
 
 def _curve(data: Any, chosen: dict[str, float]) -> AfmCurve:
