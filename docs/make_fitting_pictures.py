@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the pictures of fitting.md and instruments.md from the curves in examples/fit. python docs/make_fitting_pictures.py
+"""Draws the pictures of fit.md and unloading.md from the curves in examples/fit. python docs/make_fitting_pictures.py
 [FOLDER]
 
 FOLDER is docs/pictures by default.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the pictures of the guide, all from what the library computes. python docs/make_pictures.py [FOLDER] [--quick]
 
-FOLDER is docs/pictures by default. --quick computes maps on coarse grids. The pictures of fitting.md have a script of their
+FOLDER is docs/pictures by default. --quick computes maps on coarse grids. The pictures of fit.md have a script of their
 own. The code of the tutorials draws theirs.
 """
 

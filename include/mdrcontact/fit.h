@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /**
  * @file fit.h
- * Fits of measured data: parameters of indenter, medium and instrument; docs/fitting.md. Option MDRCONTACT_FIT.
+ * Fits of measured data: parameters of indenter, medium and instrument; docs/fit.md. Option MDRCONTACT_FIT.
  * @since 0.1
  */
 #ifndef MDRCONTACT_FIT_H

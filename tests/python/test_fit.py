@@ -310,7 +310,7 @@ def test_summary_and_json(tmp_path):
 def test_measured_films(file, modulus, film, nu, literature, error):
     """Thermal oxide and PVD aluminium: E_eff against a/h from printed moduli, between tip rounding (50 nm) and 30 % of the film.
 
-    The standard errors are those of docs/fitting.md; residuals that run along the curve are in them.
+    The standard errors are those of docs/fit.md; residuals that run along the curve are in them.
     """
     rows = np.genfromtxt(SHARED / file, delimiter=",", names=True)
     rows = rows[(rows["h_nm"] > 50.0) & (rows["h_nm"] < 150.0)]

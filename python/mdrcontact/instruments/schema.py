@@ -50,7 +50,7 @@ INSTRUMENT = Table(
         Field(CANTILEVER[0], "spring constant of the cantilever; of records", STIFFNESS, optional=True),
         Field(CANTILEVER[1], "deflection per volt; of records", SENSITIVITY, optional=True),
     ),
-    "docs/instruments.md",
+    "docs/unloading.md",
 )
 FREE = Table(
     "a parameter to find, by its name; its values have the unit of the parameter",
@@ -61,7 +61,7 @@ FREE = Table(
         Field("prior", "value that is known beforehand; goes with prior_sd", optional=True, example='"70 GPa"'),
         Field("prior_sd", "its standard deviation", optional=True, example='"5 GPa"'),
     ),
-    "docs/fitting.md",
+    "docs/fit.md",
     name="coating.E",
 )
 CALIBRATION = Table(
@@ -72,7 +72,7 @@ CALIBRATION = Table(
         Field("sds", "their standard deviations", example='[0.2, "0.01 nm/mN"]'),
         Field("correlation", "their correlation matrix; default: none", optional=True, example="[[1.0, 0.3], [0.3, 1.0]]"),
     ),
-    "docs/fitting.md",
+    "docs/fit.md",
 )
 """The table [calibration] of the file of a tip, and each table [[fit.joint_prior]]."""
 _DEFAULTS = {name: one.default for name, one in signature(fit).parameters.items()}
@@ -125,7 +125,7 @@ OPTIONS = Table(
         Field("joint_prior", "joint prior of several parameters", optional=True, table=CALIBRATION, many=True),
         Field("drainage", "where the fluid of a gel may leave; required of a gel", optional=True, choices=tuple(DRAINAGES)),
     ),
-    "docs/fitting.md",
+    "docs/fit.md",
 )
 TAKEN = tuple(one.name for one in OPTIONS.fields if one.name in _DEFAULTS and one.name != "free")
 """Keys of [fit] that are arguments of `fit`."""
