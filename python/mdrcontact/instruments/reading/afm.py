@@ -29,6 +29,8 @@ _NUMBERED = re.compile(r"\.\d{3}")
 """Endings that NanoScope gives its files."""
 TEXT_SUFFIXES = (".csv", ".txt")
 """Endings of files that it may support if they are no plain tables."""
+_BEGIN = 50_000
+"""Bytes in which the numbers of a text begin."""
 _NUMBER = re.compile(r"\s*[-+]?\.?\d")
 _HINTS = {
     ".zip": "; unpack it, and give the folder of its files",
@@ -145,8 +147,8 @@ def _by_afmformats(path: Path, lever: Lever) -> list[AfmCurve]:
 
 
 def _may_be_text(path: Path) -> bool:
-    """Whether a text has a line that begins with a number, and does not begin with a comment."""
-    lines = path.read_text(encoding="utf-8", errors="replace").split("\n")
+    """Whether a text begins with no comment, and has a line that begins with a number."""
+    lines = begin_of(path, _BEGIN).decode("utf-8", "replace").split("\n")
     return not lines[0].startswith("#") and any(map(_NUMBER.match, lines))
 
 
