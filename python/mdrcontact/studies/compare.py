@@ -64,7 +64,8 @@ def _panels(found: CompareResult) -> Iterator[Panel]:
     x, given = along(control.name, control.dimension, control.values)
     h = thickness(found.problem.medium)
     moduli = np.concatenate([answer.curve.modulus for answer in found.answers])
-    radius, length = along("contact radius a", LENGTH, np.concatenate([answer.curve.radius for answer in found.answers]))
+    radii = np.concatenate([answer.curve.radius for answer in found.answers])
+    radius, length = along("contact radius a", LENGTH, radii)
     y, unit = along(f"{found.response}", found.dimension, found.values.ravel(), log=_is_wide(found.values[:, -1]))
     yield Panel(x, y, _lines(found, lambda i: given.of(control.values), lambda i: unit.of(found.values[i])))
     modulus, pascal = along("effective modulus E_eff", MODULUS, moduli, log=_is_wide(moduli))
@@ -73,7 +74,7 @@ def _panels(found: CompareResult) -> Iterator[Panel]:
         lambda i: found.answers[i].curve.radius / h if h else length.of(found.answers[i].curve.radius),
         lambda i: pascal.of(found.answers[i].curve.modulus),
     )
-    rule = (Rule(1.0, vertical=True, name="a = h"),) if h else ()
+    rule = (Rule(1.0, vertical=True, name="a = h"),) if h and radii.min() <= h <= radii.max() else ()
     yield Panel(Axis("a/h", log=True) if h else radius._replace(log=True), modulus, (*lines, *rule))
     deviation = found.values / found.base
     ratio = Axis(f"{found.response} / {found.basis}", log=_is_wide(deviation))

@@ -118,7 +118,7 @@ def _marks(found: StressResult, is_tension: bool, length: Unit, unit: Unit, colo
         at = -most.r if most.angle else most.r
         inside = abs(at) <= found.maps[0].x[-1] and most.z <= found.maps[-1].z[-1]
         if inside and most.value > 0.0:
-            text = f"{name} {float(unit.of(most.value)):.3g} {unit.symbol}"
+            text = f"{name} {float(unit.of(most.value)):.4g} {unit.symbol}"
             yield Label(float(length.of(at)), float(length.of(most.z)), text, colour)
 
 
