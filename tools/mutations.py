@@ -378,7 +378,7 @@ MUTATIONS = [
     ("python:instruments/fitting/unloading.py", "row = np.array([0.0, 1.0, 2.0 * top])", "row = np.array([0.0, 1.0, top])",
      "test_unloading.py"),
     ("python:instruments/fitting/advice.py", "float(mean @ np.diff(back))", "float(mean @ np.diff(way))", "test_misfit.py"),
-    ("python:instruments/fitting/advice.py", "float(mean @ np.diff(back))", "float(mean @ np.diff(way))", "test_misfit.py"),
+    ("extensions/fit/pattern.f90", "damping = exp(-0.25_wp*sum", "damping = exp(-0.5_wp*sum", "^test_fit$"),
     ("contact/contact/adhesive_branch.f90", "part_of_distance = 0.3_wp", "part_of_distance = 300.0_wp", "test_adhesion.py"),
     ("extensions/wear/disc.f90", "first_part = 1.0_wp - 0.5_wp*sqrt(2.0_wp)", "first_part = 0.35_wp", "test_wear.py"),
     ("extensions/wear/rings.f90", "(1.0_wp - 2.0_wp*exponent)*(edge - radius)", "0.0_wp*(edge - radius)",
