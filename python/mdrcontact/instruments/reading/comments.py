@@ -15,8 +15,6 @@ _UNITS = re.compile(r"units?\s*[:=]\s*(.+)", re.IGNORECASE)
 _BY_PLACE = re.compile(r"(?:columns?|col\.?|spalte|channel)?\s*\[?(\d{1,2})\]?\s*[:=.)-]\s*(.*[^\W\d].*)", re.IGNORECASE)
 """One title a line, with its place: "column 2: depth (nm)"."""
 
-Splitter = Callable[[str], list[str]]
-
 
 def _words(line: str) -> list[str]:
     try:
