@@ -7,12 +7,13 @@ option(MDRCONTACT_ADHESION "Adhesion that depends on speed, adhesion of viscoela
 option(MDRCONTACT_WEAR "Wear by Archard's law" ON)
 option(MDRCONTACT_CONDUCTION "Heat and current through contacts, heat of friction" ON)
 option(MDRCONTACT_POROELASTIC "Poroelastic gels" ON)
+option(MDRCONTACT_PLASTIC "Plastic imprints, laws of yielding contacts, pressure caps" ON)
 option(MDRCONTACT_LATERAL "Structures whose moduli vary in all directions" ON)
 option(MDRCONTACT_FIT "Fits of measured data; needs MDRCONTACT_TIME" ON)
 
 set(mdrcontact_extensions "") # those of this library, and those left out
 set(mdrcontact_left_out "")
-foreach(name IN ITEMS time adhesion wear conduction poroelastic lateral fit)
+foreach(name IN ITEMS time adhesion wear conduction poroelastic plastic lateral fit)
   string(TOUPPER "MDRCONTACT_${name}" option)
   if(${option})
     list(APPEND mdrcontact_extensions ${name})

@@ -20,6 +20,7 @@
  * - mdrcontact/wear.h: Archard wear;
  * - mdrcontact/conduction.h: electrical and thermal conduction, frictional heat;
  * - mdrcontact/poroelastic.h: poroelastic gels;
+ * - mdrcontact/plastic.h: imprints of plastic contacts, laws of yielding contacts, pressure caps;
  * - mdrcontact/lateral.h: structures whose moduli vary in all directions, which provide a medium at each position;
  * - mdrcontact/fit.h: fits of measured curves.
  *

@@ -12,6 +12,7 @@
 #include "wear.h"
 #include "conduction.h"
 #include "poroelastic.h"
+#include "plastic.h"
 #include "lateral.h"
 #include "fit.h"
 

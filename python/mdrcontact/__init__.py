@@ -9,8 +9,8 @@
     contact = mdr.Contact(mdr.Sphere(10e-6), medium)
     state = contact.at_depth([20e-9, 50e-9, 100e-9])    # States(depth, radius, force, ...)
 
-Further physics: `mdr.adhesion`, `mdr.conduction`, `mdr.lateral`, `mdr.poroelastic`, `mdr.time`, `mdr.wear`; measured data:
-`mdr.instruments`; functions of Popov (2014): `mdr.closed_forms`, `mdr.weights`.
+Further physics: `mdr.adhesion`, `mdr.conduction`, `mdr.lateral`, `mdr.plastic`, `mdr.poroelastic`, `mdr.time`, `mdr.wear`; measured
+data: `mdr.instruments`; functions of Popov (2014): `mdr.closed_forms`, `mdr.weights`.
 
 Any consistent units: the descriptions give the unit of each number in brackets: [length], [modulus] (that of pressure),
 and forces are in [modulus length^2]; [1] has none. Equation numbers such as (10) are those of Popov (2014); the pages in
@@ -61,6 +61,7 @@ if TYPE_CHECKING:
     from . import errors as errors
     from . import instruments as instruments
     from . import lateral as lateral
+    from . import plastic as plastic
     from . import poroelastic as poroelastic
     from . import time as time
     from . import wear as wear
@@ -75,7 +76,8 @@ else:
 
 
 _NAMESPACES = {
-    "adhesion", "closed_forms", "conduction", "errors", "instruments", "lateral", "poroelastic", "time", "wear", "weights",
+    "adhesion", "closed_forms", "conduction", "errors", "instruments", "lateral", "plastic", "poroelastic", "time", "wear",
+    "weights",
 }  # fmt: skip
 
 

@@ -16,7 +16,7 @@ from mdrcontact.state import NAMES
 
 ROOT = Path(__file__).resolve().parents[2]
 
-PHYSICS = (mdr, mdr.adhesion, mdr.conduction, mdr.lateral, mdr.poroelastic, mdr.time, mdr.wear)
+PHYSICS = (mdr, mdr.adhesion, mdr.conduction, mdr.lateral, mdr.plastic, mdr.poroelastic, mdr.time, mdr.wear)
 """Modules whose `__all__` holds public classes of physics."""
 PUBLIC = (*PHYSICS, mdr.closed_forms, mdr.weights, mdr.errors, mdr.instruments)
 

@@ -13,7 +13,7 @@ FOLDERS = {
     "bodies": [{"profile"}, {"material"}, {"body"}],
     "solver": [{"weights"}, {"tension"}, {"line"}, {"medium", "model"}],
     "contact": [{"contact"}, {"inside"}, {"law"}, {"friction"}],
-    "extensions": [{"time", "wear", "conduction", "poroelastic", "lateral"}, {"adhesion", "fit"}],
+    "extensions": [{"time", "wear", "conduction", "poroelastic", "plastic", "lateral"}, {"adhesion", "fit"}],
 }
 """Inside a room, folders and files without a folder: one may use its own group and those before it."""
 USE = re.compile(r"^\s*use\s+(mdrcontact_\w+)", re.MULTILINE)

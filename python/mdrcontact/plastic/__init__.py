@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bodies that yield: imprints, laws of yielding contacts, pressure caps."""
+
+from .imprint import Imprint
+
+__all__ = ["Imprint"]
