@@ -725,6 +725,7 @@ POINTERS = {
     "poroelastic_history": (0,),
     "poroelastic_dynamic_stiffness": (0,),
     "poroelastic_pressure": (0,),
+    "imprint_two_terms": (0,),
     "structure_shapes": (6,),
     "structure_voxels": (1, 7),
     "structure_function": (0, 1, 3),

@@ -1,0 +1,39 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The object behind a handle, by the type of the pointer that is to hold it. Written by tools/generate.py.
+module mdrcontact_api_plastic_open_handle
+    use, intrinsic :: iso_c_binding, only: c_ptr
+    use mdrcontact_api_handles, only: look_inside, refuse_kind
+    use mdrcontact_api_open_handle, only: open_handle
+    use mdrcontact_error, only: error_t
+    use mdrcontact_plastic_imprint, only: imprint_t
+    implicit none (type, external)
+    private
+    public :: open_handle
+
+    !> The object behind a handle; null after an error. `name` is the argument's.
+    interface open_handle
+        module procedure &
+            open_imprint
+    end interface open_handle
+
+contains
+
+    subroutine open_imprint(handle, name, object, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(imprint_t), pointer, intent(out) :: object
+        type(error_t), allocatable, intent(inout) :: error
+        class(*), pointer :: inside
+
+        nullify (object)
+        call look_inside(handle, name, "mdr_imprint", inside, error)
+        if (allocated(error)) return
+        select type (inside)
+        type is (imprint_t)
+            object => inside
+        class default
+            call refuse_kind(name, "mdr_imprint", error)
+        end select
+    end subroutine open_imprint
+
+end module mdrcontact_api_plastic_open_handle
