@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import json
 import re
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +17,7 @@ if sys.version_info >= (3, 11):
 else:
     import tomli as tomllib
 
+_BARE = re.compile(r"[A-Za-z0-9_-]+")
 _LARGEST = 10_000_000
 """Largest size of a problem file [bytes]."""
 
@@ -45,14 +48,15 @@ def parse_bytes(content: bytes) -> dict[str, Any]:
     if len(content) > _LARGEST:
         raise ProblemError(f"it has more than {_LARGEST // 1_000_000} MB, too large for a problem file. Name another file.")
     try:
-        text = content.decode("utf-8-sig")
+        text = content.decode("utf-8")
     except UnicodeDecodeError as problem:
         raise ProblemError("it is not a text file in UTF-8. Save it in UTF-8.") from problem
-    return parse_text(text.replace("\r\n", "\n").replace("\r", "\n"))
+    return parse_text(text)
 
 
 def parse_text(text: str) -> dict[str, Any]:
-    """Return the tables of a text."""
+    """Return the tables of a text, which may begin with a byte order mark and have ends of lines of any system."""
+    text = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
     try:
         return tomllib.loads(text)
     except RecursionError as problem:
@@ -70,3 +74,22 @@ def _line(text: str, words: str) -> str:
     line = text.split("\n")[int(place[1]) - 1].strip() if place else ""
     rule = ". Write numbers with a decimal point, words and quantities in straight quotes." if "=" in line else ""
     return f": {line[:80]}{rule}" if line else ""
+
+
+def written(value: object) -> str:
+    """Return a value as a file has it. Numbers keep their digits, tables are on one line."""
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(keyed(str(key), one) for key, one in value.items()) + " }"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(map(written, value)) + "]"
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def keyed(key: str, value: object) -> str:
+    """Return the line of a key."""
+    return f"{quoted(key)} = {written(value)}"
+
+
+def quoted(key: str) -> str:
+    """Return a key, in quotes if it needs them."""
+    return key if _BARE.fullmatch(key) else written(key)

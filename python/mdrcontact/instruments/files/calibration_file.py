@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ...problem import ProblemError
+from ...problem.toml import keyed
 from ...profile import AreaFunction
 from ..fitting import FitResult
 from ..fitting.calibration import as_prior, words_of_tests
@@ -36,7 +37,7 @@ def calibration_text(result: FitResult, title: str, indenter: Mapping[str, Any],
     numbers = _numbers(result)
     kept = {key: value for key, value in indenter.items() if not any(f"{key}_".startswith(f"{name}_") for name in numbers)}
     for key, value in {**kept, **numbers}.items():
-        lines.append(f"{key} = {_toml(value)}")
+        lines.append(keyed(key, value))
     sds = np.sqrt(np.diag(np.array(prior.covariance)))
     scale = np.outer(sds, sds)
     lines += ["", "[calibration]", f"names = {json.dumps(list(prior.names))}"]
@@ -68,9 +69,3 @@ def _quantity(name: str, value: float) -> Any:
     """A value with its unit, in full precision."""
     si = dimension_of(name).si
     return f"{value!r} {si}" if si else value
-
-
-def _toml(value: Any) -> str:
-    if isinstance(value, dict):
-        return "{ " + ", ".join(f"{key} = {_toml(entry)}" for key, entry in value.items()) + " }"
-    return json.dumps(value)

@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from ..._units import LENGTH, MODULUS, WORK_OF_ADHESION, shown
+from ...problem.toml import keyed
 from ..reading.area_function import power_of_term
 from ..reading.formats import Fact, terms_of
 
@@ -148,12 +149,4 @@ class Start(NamedTuple):
 
 
 def _line(key: str, value: object, is_marked: bool) -> str:
-    return f"{key} = {_toml(value)}" + (MARK if is_marked else "")
-
-
-def _toml(value: object) -> str:
-    if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{_toml(str(key))} = {_toml(one)}" for key, one in value.items()) + " }"
-    if isinstance(value, list):
-        return "[" + ", ".join(map(_toml, value)) + "]"
-    return json.dumps(value, ensure_ascii=False)
+    return keyed(key, value) + (MARK if is_marked else "")
