@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import MDRError
-from .panel import Axis, Cells, Label, Line, Panel, Rule, Sheet
+from .panel import Axis, Cells, Label, Line, Panel, Rule, Sheet, limits, side_of
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8B4513", "#7f7f7f", "#9a9a00")
 """Okabe and Ito's colours, which all eyes tell apart, and four more."""
@@ -149,8 +149,7 @@ def _draw_label(axis: Any, panel: Panel, part: Label, above: bool) -> None:
     from matplotlib.patheffects import withStroke
 
     axis.plot(part.x, part.y, part.marker, markersize=5, markerfacecolor="none", color=colour(part.colour), zorder=5, clip_on=False)
-    ends = [end for line in panel.parts if isinstance(line, Line | Cells) for end in (np.nanmin(line.x), np.nanmax(line.x))]
-    right = not ends or part.x < min(ends) + 0.6 * (max(ends) - min(ends))
+    right = side_of(panel, part) == "right"
     look: dict[str, Any] = {"color": colour(part.colour), "ha": "left" if right else "right"}
     if any(isinstance(one, Cells) for one in panel.parts):  # legible on any colour
         look["path_effects"] = [withStroke(linewidth=2.0, foreground="black" if part.colour == "white" else "white")]
@@ -161,9 +160,7 @@ def _draw_label(axis: Any, panel: Panel, part: Label, above: bool) -> None:
 def _draw_cells(figure: Any, axis: Any, part: Cells, is_equal: bool) -> None:
     from matplotlib.ticker import MaxNLocator
 
-    low = float(np.nanmin(part.values)) if part.axis.low is None else part.axis.low
-    high = float(np.nanmax(part.values)) if part.axis.high is None else part.axis.high
-    high = high if high > low else low + (1e-9 * abs(low) or 1.0)
+    low, high = limits(part)
     ends = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}
     extend = ends[bool(np.nanmin(part.values) < low), bool(np.nanmax(part.values) > high)]
     colours = "RdBu_r" if part.two_sided else "viridis"

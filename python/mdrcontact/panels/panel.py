@@ -137,3 +137,16 @@ def marked(values: Any, marker: str = "o") -> str:
 def cut(values: Array, low: float, high: float) -> Array:
     """Return values with NaN outside the limits."""
     return np.where((values < low) | (values > high), np.nan, values)
+
+
+def limits(cells: Cells) -> tuple[float, float]:
+    """Return the ends of the colours of a map."""
+    low = float(np.nanmin(cells.values)) if cells.axis.low is None else cells.axis.low
+    high = float(np.nanmax(cells.values)) if cells.axis.high is None else cells.axis.high
+    return low, high if high > low else low + (1e-9 * abs(low) or 1.0)
+
+
+def side_of(panel: Panel, label: Label) -> str:
+    """Return the side of its point on which a text has room, "right" or "left"."""
+    ends = [end for one in panel.parts if isinstance(one, Line | Cells) for end in (np.nanmin(one.x), np.nanmax(one.x))]
+    return "right" if not ends or label.x < min(ends) + 0.6 * (max(ends) - min(ends)) else "left"

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures drawn with Plotly, a drawing for each panel: for the page, whose width decides how many stand beside each other."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from .matplotlib import colour
+from .panel import Array, Axis, Bars, Cells, Label, Line, Panel, Part, Rule, Sheet, limits, side_of
+
+_DASHES = ("solid", "dash", "dot")
+_MARKERS = {"o": "circle", "s": "square", "^": "triangle-up", "x": "x"}
+_INK, _SIZE = "#1b1f24", 12
+_LAYOUT: dict[str, Any] = {
+    "template": "none",
+    "font": {"family": "system-ui, sans-serif", "size": _SIZE, "color": _INK},
+    "hovermode": "closest",
+    "bargap": 0.0,
+}
+_SIDE: dict[str, Any] = {"gridcolor": "#e6e6e6", "linecolor": "#8a9099", "showline": True, "zeroline": False, "ticks": "outside"}
+_SIDE |= {"ticklen": 4, "automargin": True, "exponentformat": "power"}
+_LEGEND_BELOW = 6
+"""More names than this are beside the panel."""
+_WHOLE = 12
+"""Counts up to this one each have a tick."""
+_DECADES = 300.0
+"""A logarithmic axis from which on powers of ten are enough."""
+
+
+def draw(figure: Sheet) -> list[Any]:
+    """Draw the panels of a figure; a `plotly.graph_objects.Figure` for each."""
+    from plotly.graph_objects import Figure
+
+    return [Figure(_panel(panel)) for panel in figure.panels]
+
+
+def _panel(panel: Panel) -> dict[str, Any]:
+    maps = [part for part in panel.parts if isinstance(part, Cells)]
+    traces = [trace for i, part in enumerate(panel.parts) for trace in _trace(panel, part, maps, above=i % 2 == 0)]
+    shapes = [_rule(part, bool(maps)) for part in panel.parts if isinstance(part, Rule)]
+    names = sum(trace["showlegend"] for trace in traces)
+    x, y = _side(panel, panel.x, "x"), _side(panel, panel.y, "y")
+    if panel.equal:
+        y |= {"scaleanchor": "x", "constrain": "domain"}
+        x |= {"constrain": "domain"}
+    if panel.downward:
+        y |= {"range": y["range"][::-1]} if "range" in y else {"autorange": "reversed"}
+    below = {"orientation": "h", "yref": "container", "y": 0.0, "yanchor": "bottom"}
+    legend = {"font": {"size": 11}, **(below if names <= _LEGEND_BELOW else {})}
+    margin = {"l": 64, "r": 16, "t": 40 if panel.title else 16, "b": 84 if 0 < names <= _LEGEND_BELOW else 48}
+    title = {"text": _plain(panel.title), "font": {"size": _SIZE + 1}, "x": 0.5}
+    own = {"xaxis": x, "yaxis": y, "shapes": shapes, "showlegend": names > 0, "legend": legend, "margin": margin, "title": title}
+    return {"data": traces, "layout": {**_LAYOUT, **own}}
+
+
+def _plain(text: str) -> str:
+    """A text in which Plotly finds no tags."""
+    return text.replace("&", "&amp;").replace("<", "&lt;")
+
+
+def _trace(panel: Panel, part: Part, maps: list[Cells], above: bool) -> Iterator[dict[str, Any]]:
+    if isinstance(part, Line):
+        yield _line(part)
+    elif isinstance(part, Label):
+        yield _label(panel, part, bool(maps), above)
+    elif isinstance(part, Cells):
+        yield _cells(part, np.concatenate([np.ravel(one.values) for one in maps]))
+    elif isinstance(part, Bars):
+        width = np.diff(part.edges)
+        look = {"color": colour(part.colour), "opacity": 0.6, "line": {"width": 1, "color": "white"}}
+        middle = part.edges[:-1] + 0.5 * width
+        yield {"type": "bar", "x": middle, "y": part.counts, "width": width, "showlegend": False, "marker": look}
+
+
+def _line(part: Line) -> dict[str, Any]:
+    own = colour(part.colour)
+    drawn: dict[str, Any] = {"type": "scatter", "x": part.x, "y": part.y, "name": _plain(part.name), "showlegend": bool(part.name)}
+    drawn["mode"] = "+".join(["lines"] * (part.dash >= 0) + ["markers"] * bool(part.marker)) or "none"
+    drawn["line"] = {"color": own, "width": 1.25 * part.width, "dash": _DASHES[max(part.dash, 0)]}
+    drawn["marker"] = {"color": own, "size": 6, "symbol": _MARKERS.get(part.marker, "circle")}
+    if part.error is not None:
+        drawn["error_y"] = {"type": "data", "array": part.error, "thickness": 1, "width": 3}
+    return drawn if part.name else {**drawn, "hoverinfo": "x+y"}
+
+
+def _rule(part: Rule, on_map: bool) -> dict[str, Any]:
+    own = colour(part.colour)
+    label: dict[str, Any] = {"text": _plain(part.name), "textposition": "end", "font": {"size": 11, "color": own}, "textangle": 0}
+    if part.vertical:
+        ends = {"x0": part.at, "x1": part.at, "y0": 0, "y1": 1, "yref": "y domain"}
+        label |= {"xanchor": "left", "yanchor": "top"}
+    else:
+        ends = {"y0": part.at, "y1": part.at, "x0": 0, "x1": 1, "xref": "x domain"}
+        label |= {"xanchor": "right", "yanchor": "bottom"}
+    line = {"color": own, "width": 1.0, "dash": _DASHES[part.dash]}
+    return {"type": "line", **ends, "line": line, "label": label, "layer": "above" if on_map else "below"}
+
+
+def _label(panel: Panel, part: Label, on_map: bool, above: bool) -> dict[str, Any]:
+    font: dict[str, Any] = {"color": colour(part.colour), "size": 11}
+    if on_map:  # legible on any colour
+        other = "black" if part.colour == "white" else "white"
+        font["shadow"] = ", ".join(f"{x}px {y}px 1px {other}" for x in (-1, 1) for y in (-1, 1))
+    marker = {"symbol": _MARKERS[part.marker], "size": 8, "color": "rgba(0,0,0,0)", "line": {"color": font["color"], "width": 1.5}}
+    place = {"textposition": f"{'top' if above else 'bottom'} {side_of(panel, part)}", "cliponaxis": False}
+    text = {"text": [_plain(part.text)], "mode": "markers+text", "textfont": font, "marker": marker}
+    return {"type": "scatter", "x": [part.x], "y": [part.y], "showlegend": False, "hoverinfo": "text", **text, **place}
+
+
+def _cells(part: Cells, every: Array) -> dict[str, Any]:
+    """A map. every : values of all maps of the panel, which share one bar"""
+    low, high = limits(part)
+    cut = [
+        words
+        for is_cut, words in ((np.nanmin(every) < low, f"\u2264 {low:.4g}"), (np.nanmax(every) > high, f"\u2265 {high:.4g}"))
+        if is_cut
+    ]
+    title = f"{part.axis.title}<br>ends: {', '.join(cut)}" if cut else part.axis.title
+    bar = {"title": {"text": title, "side": "right"}, "thickness": 12, "outlinewidth": 0, "exponentformat": "power"}
+    look = {
+        "zmin": low,
+        "zmax": high,
+        "colorscale": "RdBu_r" if part.two_sided else "Viridis",
+        "showscale": part.bar,
+        "colorbar": bar,
+    }
+    # for the eye: half the bytes
+    return {"type": "heatmap", "x": part.x, "y": part.y, "z": np.float32(part.values), "showlegend": False, **look}
+
+
+def _side(panel: Panel, axis: Axis, name: str) -> dict[str, Any]:
+    """The axis of a panel; ends that are not given follow from the data."""
+    made: dict[str, Any] = {**_SIDE, "title": {"standoff": 8, "text": _plain(axis.title)}}
+    low, high = axis.low, axis.high
+    if axis.log:
+        found = np.concatenate([getattr(part, name) for part in panel.parts if isinstance(part, Line)])
+        first, last = np.nanmin(found[found > 0.0]), np.nanmax(found)
+        steps = [k * 10.0**n for n in range(math.floor(math.log10(first)) - 1, math.ceil(math.log10(last)) + 1) for k in (1, 2, 5)]
+        made |= {"type": "log", "dtick": 1} | (
+            {"tickvals": steps, "ticktext": [f"{one:g}" for one in steps]} if last < _DECADES * first else {}
+        )
+        low, high = (end if end is None else math.log10(end) for end in (low, high))
+    elif axis.names:
+        made |= {"tickvals": [*range(1, len(axis.names) + 1)], "ticktext": [*map(_plain, axis.names)], "tickangle": -90}
+    elif axis.whole:
+        made |= {"tickformat": "d"} | ({"dtick": 1} if high is not None and high <= _WHOLE else {})
+    if low is not None and high is not None:
+        return made | {"range": [low, high]}
+    return made | {"autorangeoptions": {"minallowed": low, "maxallowed": high}}
