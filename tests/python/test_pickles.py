@@ -88,6 +88,7 @@ def fits():
         mdi.Moves(result, "coating.E", (end,), (), ()),
         end,
         result.misfit,
+        mdi.Indent(0.4, 5e-8, 0.5, True),
         mdi.rate(result),
         mdi.mean_of_tests([result, result], "coating.E"),
         curve,

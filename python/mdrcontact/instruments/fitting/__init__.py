@@ -8,6 +8,7 @@ from .conduction import ConductanceForce, ConductionFit, Impedance, fit_conducti
 from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius, UnloadingPoint
 from .depth_profile import DepthProfile, modulus_at_depths
 from .gel import GelFit, compare_drainages, fit_gel
+from .indent import Indent
 from .many import FailedFit, fit_many
 from .misfit import Misfit
 from .moves import Move, Moves, find_moves
@@ -52,6 +53,7 @@ __all__ = [
     "modulus_at_depths",
     "DepthProfile",
     "Misfit",
+    "Indent",
     "find_moves",
     "Move",
     "Moves",

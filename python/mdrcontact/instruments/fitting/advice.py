@@ -14,6 +14,7 @@ from ...errors import MDRError
 from ...loop import BRANCHES
 from .contradictions import contradictions
 from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
+from .indent import LOST
 from .misfit import SMALL, percent
 from .result import FitResult
 
@@ -27,12 +28,6 @@ _STRAYS, _STRAY_SHARE = 3, 0.01
 """Readings about a jump that noise may put on the wrong side of it."""
 _PLASTIC = 0.7
 """Part of the depth that stays, from which on surfaces may pile up."""
-_LOST, _LEFT = 0.15, 0.1
-"""Losses of work and depth, relative to loading, that exceed noise and drift on an elastic body."""
-_LEVELS, _FEWEST_BACK = (0.05, 0.95, 19), 20
-"""Force levels, relative to the largest, at which loading and unloading are compared; fewest readings of unloading."""
-_PULLS = 0.05
-"""Tensile force of unloading, relative to the largest force, that indicates adhesion."""
 _SMALL_CONTACT, _LARGE_CONTACT = 0.1, 3.0
 
 
@@ -51,6 +46,7 @@ def advice(result: FitResult) -> list[str]:
         *_pattern(result),
         *_tip(result, radius),
         *_pile_up(result),
+        *_forced(result),
         *_branches(result, alone),
         *_softer_than_base(result),
     ]
@@ -177,8 +173,8 @@ def _pattern(result: FitResult) -> list[str]:
         widest = max(result.widening.values(), default=1.0)
         errors = f", widened up to {widest:.2g} times for correlated neighbours" if widest > 1.0 else ""
         words.append(
-            f"the model {result.misfit_words()}. The standard errors{errors} do not include its effect on the estimates: check "
-            "how much they change with the fitted range"
+            f"the model {result.misfit_of_readings()}. The standard errors{errors} do not include its effect on the estimates: "
+            "check how much they change with the fitted range"
         )
     if result.hidden:
         finite = math.isfinite(result.hidden)
@@ -262,8 +258,10 @@ def _branches(result: FitResult, alone: np.ndarray) -> list[str]:
     data = result.data
     if not isinstance(data, ForceDepth):
         return []
+    if words := _indent(result):
+        return words
     if not result.values["work_of_adhesion"] > 0.0:
-        return _indent(result, data) or _apart(data)
+        return _apart(data)
     scale = result.noise * (1.0 if data.sd is None else data.sd)
     differs = int(np.sum(np.abs(alone - result.fitted) > 3.0 * scale))
     if differs <= max(_STRAYS, _STRAY_SHARE * len(data)):
@@ -291,47 +289,38 @@ def _apart(data: ForceDepth) -> list[str]:
     ]
 
 
-def _indent(result: FitResult, data: ForceDepth) -> list[str]:
-    """Loading whose unloading, fitted or not, gives back too little work and ends too deep."""
-    offset, (low, high, count) = result.values["force_offset"], _LEVELS
-    loading, unloading = _ways(data)
-    if unloading is None or len(loading[0]) < _FEWEST_BACK:
+def _indent(result: FitResult) -> list[str]:
+    """A body that does not spring back as an elastic one, fitted or not."""
+    found = result.indent
+    if found is None:
         return []
-    largest = float(np.max(loading[1])) - offset
-    depth, force = unloading[0], unloading[1] - offset
-    # readings out of contact are below, a hold is above
-    beyond = (force > 0.5 * low * largest) & (force < 0.5 * (1.0 + high) * largest)
-    if np.sum(beyond) < _FEWEST_BACK or np.min(force) < -_PULLS * largest:
-        return []
-    level = np.linspace(low, high, count) * largest
-    way, back = _depths_at(level, loading[0], loading[1] - offset), _depths_at(level, depth[beyond], force[beyond])
-    mean = 0.5 * (level[1:] + level[:-1])
-    work = float(mean @ np.diff(way))
-    lost = 1.0 - float(mean @ np.diff(back)) / work if work > 0.0 else 0.0
-    left = float(back[0] - way[0])
-    share = left / float(data.x.max() - result.values["depth_offset"])
-    if not (lost > _LOST and share > _LEFT):
-        return []
+    left = f"{shown(found.residual_depth, LENGTH, 3)} deeper, {percent(found.share)} of the depth"
+    if not found.is_within:
+        return [
+            f"loading continues beyond the fitted readings, and unloading from there ends {left}: the body yields, or creeps, on "
+            "the way. Unloading from the end of the fitted readings would show whether they are elastic"
+        ]
+    is_loading = result.data.branch is None or BRANCHES["loading"] in result.data.branch
+    effect = "low" if is_loading else "high, as the imprint is blunter than the tip"
     return [
-        f"unloading gives back {percent(1.0 - lost)} of the work of loading and ends {shown(left, LENGTH, 3)} deeper, "
-        f"{percent(share)} of the depth: the body has yielded, or creeps. The fit treats its loading as elastic, so the modulus is "
-        'too low. Fit the shallow part, or the unloading curve, branch = "unloading" or kind = "unloading"'
+        f"unloading gives back {percent(found.returned)} of the work of loading and ends {left}: the contact is plastic, or the "
+        f"body creeps. The fit treats it as elastic, so the modulus is too {effect}. Fit the stiffness of the unloading curve, "
+        'kind = "unloading", or the shallow part of loading'
     ]
 
 
-def _ways(data: ForceDepth) -> tuple[tuple[np.ndarray, np.ndarray], tuple[np.ndarray, ...] | None]:
-    """Depth and force of loading and of unloading, which may be outside the fit; None without unloading."""
-    branches = np.unique(data.branch) if data.branch is not None else np.array([BRANCHES["loading"]])
-    if len(branches) > 1:
-        loading, unloading = data.on("loading"), data.on("unloading")
-        return (loading.x, loading.y), (unloading.x, unloading.y)
-    return (data.x, data.y), data.unused if branches[0] == BRANCHES["loading"] else None
-
-
-def _depths_at(level: np.ndarray, depth: np.ndarray, force: np.ndarray) -> np.ndarray:
-    """Depths at these forces, of readings in any order."""
-    order = np.argsort(force, kind="stable")
-    width = max(len(order) // (2 * _FEWEST_BACK), 1)
-    # means over neighbours in force, whose noise would put them in another order
-    weights = np.ones(width) / width
-    return np.asarray(np.interp(level, np.convolve(force[order], weights, "valid"), np.convolve(depth[order], weights, "valid")))
+def _forced(result: FitResult) -> list[str]:
+    """A contact that is taken as elastic against the data."""
+    data = result.data
+    if not isinstance(data, StiffnessDepth) or not data.elastic or data.seems_elastic:
+        return []
+    if data.unloadings:
+        stays = float(np.median([q.final_depth / q.depth for q in data.unloadings]))
+        words = f"{percent(stays)} of the depth stays after unloading"
+    else:
+        rise = data.reversibility()
+        stays = 1.0 - rise
+        words = f"the force rises by {percent(rise)} of what its stiffness gives"
+    if not stays > LOST:
+        return []
+    return [f"elastic = true, but the contact is plastic: {words}. Contact depths are those of an elastic contact, and too small"]

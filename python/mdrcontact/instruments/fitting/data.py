@@ -273,7 +273,9 @@ class ForceDepth(Data):
         if self.branch is None:
             return self
         keep = self.branch == BRANCHES[branch]
-        return ForceDepth(self.x[keep], self.y[keep], sd=None if self.sd is None else self.sd[keep], branch=branch)
+        part = ForceDepth(self.x[keep], self.y[keep], sd=None if self.sd is None else self.sd[keep], branch=branch)
+        part.unused = self.x[~keep], self.y[~keep]
+        return part
 
 
 class UnloadingPoint(NamedTuple):
@@ -382,11 +384,18 @@ class StiffnessDepth(Data):
         if elastic is not None and not isinstance(elastic, bool):
             raise ArgumentTypeError(f"elastic = {elastic!r}: it must be True, False or None")
         self.elastic = elastic
-        self.seems_elastic = abs(self._reversibility() - 1.0) < REVERSIBLE
+        self.seems_elastic = abs(self.reversibility() - 1.0) < REVERSIBLE
 
-    def _reversibility(self) -> float:
-        """The rise of the force over the integral of the stiffness, 1 if the contact is elastic, for any body, tip, frame and
-        offsets; 0 if there are too few points."""
+    def reversibility(self) -> float:
+        """Return the rise of the force over the integral of the stiffness.
+
+        It is 1 if the contact is elastic, for any body, tip, frame and offsets.
+
+        Returns
+        -------
+        float
+            The ratio [1]; 0 if there are too few points.
+        """
         order = np.argsort(self.x)
         h, s = self.x[order], self.y[order]
         p = np.zeros_like(h) if self.given is None else self.given[order]

@@ -48,9 +48,10 @@ def rate(result: FitResult) -> Rating:
     """Rate a fitted curve from 0 to 10.
 
     The score decreases proportionally to the misfit (0 at 10 % of the force), to the noise (0 at 50 %) and to the largest relative
-    standard error (0 at 50 %). A curve is sound if the search has converged, the misfit is at most 5 %, the noise at most 20 % of
-    the force, every standard error at most 30 % of its estimate, no estimate is at a bound, no film that began stiffer than its
-    base has become softer, noise hides no misfit above 10 % of the force, and at least 10 readings are in contact.
+    standard error (0 at 50 %). A curve is sound if the search has converged, the contact is elastic, the misfit is at most 5 %, the
+    noise at most 20 % of the force, every standard error at most 30 % of its estimate, no estimate is at a bound, no film that
+    began stiffer than its base has become softer, noise hides no misfit above 10 % of the force, and at least 10 readings are in
+    contact.
 
     Parameters
     ----------
@@ -87,6 +88,8 @@ def _reasons(result: FitResult, noise: float, error: float) -> list[str]:
     words = []
     if not result.converged:
         words.append("not converged")
+    if result.is_plastic:
+        words.append(result.verdict)
     if result.departure > LARGE:
         words.append(f"misses by {percent(result.departure)}")
     if result.hidden > _HIDDEN:

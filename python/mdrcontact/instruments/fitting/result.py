@@ -22,7 +22,8 @@ from ..._text import aligned
 from ..._units import QUANTITIES, practical
 from ...errors import InvalidArgumentError, MDRError
 from .contradictions import contradictions
-from .data import StiffnessDepth
+from .data import ForceDepth, StiffnessDepth
+from .indent import Indent, find_indent
 from .misfit import LARGE, Misfit, measure_misfit, percent
 from .picture import draw
 from .problem import Problem
@@ -141,6 +142,21 @@ class FitResult:
         """Departure of the model from the data."""
         offset = {"force": "force_offset", "depth": "depth_offset"}.get(self.data.y_name, "")
         return measure_misfit(self.data, self.fitted, self.values.get(offset, 0.0))
+
+    @functools.cached_property
+    def indent(self) -> Indent | None:
+        """Losses of work and depth, from loading to unloading, of a plastic contact.
+
+        It is None if the record has one of the two alone, if the body springs back, or if it adheres.
+        """
+        if not isinstance(self.data, ForceDepth):
+            return None
+        return find_indent(self.data, self.values["depth_offset"], self.values["force_offset"])
+
+    @property
+    def is_plastic(self) -> bool:
+        """True if unloading shows that the fitted contact is not elastic."""
+        return self.indent is not None and self.indent.is_within
 
     @property
     def noise_is_known(self) -> bool:
@@ -445,7 +461,9 @@ class FitResult:
             words.append(f"error widened {self.widening[name]:.2g} times for correlated residuals")
         if 0.0 < self.hidden < math.inf:
             words.append(self.hidden_words())
-        if self.describes_data is False:
+        if self.is_plastic:
+            words.append("THE CONTACT IS PLASTIC OR VISCOUS, THE MODEL ELASTIC")
+        if self.departure > LARGE and not self.hidden:
             words.append(f"THE MODEL MISSES THE DATA BY {percent(self.departure)}")
         if self.scatter < 0:
             words.append(f"errors given are {self.excess_words()} the scatter")
@@ -518,13 +536,18 @@ class FitResult:
     def describes_data(self) -> bool | None:
         """True if the departure is at most 5 %.
 
-        It is None if the points are too few to distinguish a larger one from noise.
+        It is None if the points are too few to distinguish a larger one from noise, and False if the contact is plastic.
         """
-        return None if self.hidden else self.departure <= LARGE
+        return False if self.is_plastic else None if self.hidden else self.departure <= LARGE
 
     @property
     def verdict(self) -> str:
-        """Verdict as text: "describes", "describes to 2 %", "misses by 12 %" or the like."""
+        """Verdict as text.
+
+        It is "describes", "describes to 2 %", "misses by 12 %", "plastic or viscous, 57 % of the depth stays" or the like.
+        """
+        if self.indent is not None and self.is_plastic:
+            return f"plastic or viscous, {percent(self.indent.share)} of the depth stays"
         if self.is_random is None:
             return "too few points"
         if self.hidden:
@@ -541,6 +564,22 @@ class FitResult:
         str
             One sentence.
         """
+        if self.indent is None or not self.is_plastic:
+            return self.misfit_of_readings()
+        back, stays = percent(self.indent.returned), percent(self.indent.share)
+        return (
+            f"is elastic but the contact is plastic or viscous: unloading gives back {back} of the work of loading, and {stays} of "
+            f"the depth stays; of the fitted readings alone it {self.misfit_of_readings()}"
+        )
+
+    def misfit_of_readings(self) -> str:
+        """Return how well the model describes the fitted readings alone, as text.
+
+        Returns
+        -------
+        str
+            One sentence.
+        """
         data, found = self.data, self.misfit
         unit = practical(QUANTITIES[data.x_name], data.x)
         place = f"{data.x_name} {found.at / unit.factor:.3g} {unit.symbol}"
@@ -548,7 +587,7 @@ class FitResult:
         size = f"{percent(self.departure or found.rms)} of the {data.y_name} ({rest})"
         if self.hidden:
             return f"may miss the data: {self.hidden_words()} ({rest})"
-        if self.describes_data is False:
+        if self.departure > LARGE:
             return f"misses the data by {size}"
         return f"describes the data to {size}" if self.departure else f"describes the data: misfit {size}"
 
@@ -671,6 +710,7 @@ class FitResult:
             "describes_data": self.describes_data,
             "verdict": self.verdict,
             "misfit": self.misfit._asdict(),
+            "indent": self.indent._asdict() if self.indent else None,
             **{name: getattr(self, name) for name in _NUMBERS},
             "indenter": repr(self.indenter),
             "medium": repr(self.medium),
