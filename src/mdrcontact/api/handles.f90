@@ -4,8 +4,8 @@
 !> All handles are of one kind: a tag, and an object whose type identifies it. A pointer to something else is refused by its tag, a
 !> handle of another object by its type. A freed handle loses its tag, which catches some uses after the end but cannot catch all.
 module mdrcontact_api_handles
-    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_int64_t, c_loc, c_null_char, &
-                                           c_null_ptr, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_int64_t, c_intptr_t, c_loc, &
+                                           c_null_char, c_null_ptr, c_ptr
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact, only: on_unloading
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
@@ -21,10 +21,12 @@ module mdrcontact_api_handles
 
     integer(c_int64_t), parameter :: no_tag = 0_c_int64_t, live_tag = 7239381865347100001_c_int64_t
 
-    ! The tag comes first: it is read before it is known that there is anything else. It and the view of a law, empty for all
-    ! others, are read by law_force.c too.
+    ! The tag comes first: it is read before it is known that there is anything else. It, the copy and the view of a law, empty for
+    ! all others, are read by law_force.c too.
     type :: handle_t
         integer(c_int64_t) :: tag = live_tag
+        !> the copy of the library that made it: a process may contain several
+        integer(c_intptr_t) :: copy = 0_c_intptr_t
         type(law_view_t) :: view
         class(*), allocatable :: object
         !> of a law: what the view reads
@@ -45,6 +47,12 @@ module mdrcontact_api_handles
             integer(c_int), intent(in), value :: change
             integer(c_int) :: count
         end function mdrcontact_count_owners
+
+        !> What tells this copy of the library from others in the process, see law_force.c.
+        function mdrcontact_this_copy() result(copy) bind(C)
+            import :: c_intptr_t
+            integer(c_intptr_t) :: copy
+        end function mdrcontact_this_copy
 
         !> Create a view of a law, see law_force.c; returns 0.
         function mdrcontact_law_view_from(buffer, branch, view) result(status) bind(C)
@@ -77,6 +85,7 @@ contains
             call check_memory(error, stat)
         end if
         if (.not. allocated(error)) then
+            inside%copy = mdrcontact_this_copy()
             call move_alloc(object, inside%object)
             select type (law => inside%object)
             type is (contact_law_t)
@@ -149,9 +158,11 @@ contains
         call c_f_pointer(handle, inside)
         if (inside%tag /= live_tag) then
             call raise(error, error_invalid, ": it is not a handle, or it has been freed", "handle")
-            status = status_of(error)
-            return
+        else
+            call check_copy(inside, "handle", error)
         end if
+        status = status_of(error)
+        if (allocated(error)) return
         inside%tag = no_tag
         inside%view = law_view_t()
         call let_go(inside)
@@ -183,11 +194,23 @@ contains
         if (allocated(error)) return
         call c_f_pointer(handle, inside)
         if (inside%tag == live_tag) then
-            object => inside%object
+            call check_copy(inside, name, error)
+            if (.not. allocated(error)) object => inside%object
         else
             call refuse_kind(name, word, error)
         end if
     end subroutine look_inside
+
+    !> Raises for a handle of another copy of the library, which may be of another version.
+    subroutine check_copy(inside, name, error)
+        type(handle_t), intent(in) :: inside
+        character(len=*), intent(in) :: name
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (inside%copy == mdrcontact_this_copy()) return
+        call raise(error, error_invalid, ": another copy of the library in this process made it. Use the functions of that copy", &
+                   name)
+    end subroutine check_copy
 
     !> Raises for a handle of another kind than `word`.
     subroutine refuse_kind(name, word, error)

@@ -115,9 +115,10 @@ contains
             call check_memory(error, stat)
         end if
         if (.not. allocated(error)) then
+            call copy_labels(labels, int(phases), cells, error)
+        end if
+        if (.not. allocated(error)) then
             if (chosen%reference_nu_is_given /= 0_c_int) reference_nu = chosen%reference_nu
-            ! C counts phases from 0
-            call copy_labels(labels, cells)
             call new_voxels(structure, cells, materials, spacing, below, error, beside, chosen%origin, int(chosen%images), &
                             reference_nu, chosen%exponent)
         end if
@@ -156,17 +157,26 @@ contains
         end do
     end subroutine check_materials
 
-    pure subroutine copy_labels(labels, cells)
+    !> C counts phases from 0.
+    pure subroutine copy_labels(labels, phases, cells, error)
         integer(c_int), intent(in) :: labels(*)
+        integer, intent(in) :: phases
         integer, intent(out) :: cells(:, :, :)
-        integer :: j, k, first
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i, j, k, place
 
-        first = 0
+        place = 0
         do k = 1, size(cells, 3)
             do j = 1, size(cells, 2)
-                ! beyond the largest label there is no phase, for any number
-                cells(:, j, k) = max(0, min(labels(first + 1:first + size(cells, 1)), huge(1) - 1) + 1)
-                first = first + size(cells, 1)
+                do i = 1, size(cells, 1)
+                    place = place + 1
+                    if (labels(place) < 0 .or. labels(place) >= phases) then
+                        call raise(error, error_invalid, " = "//count_text(int(labels(place)))//": it must be the index of a "// &
+                                   "phase, from 0 to "//count_text(phases - 1), "labels", place)
+                        return
+                    end if
+                    cells(i, j, k) = labels(place) + 1
+                end do
             end do
         end do
     end subroutine copy_labels

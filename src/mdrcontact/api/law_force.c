@@ -8,8 +8,15 @@
 /* How a handle begins: api/handles.f90. The view of what is no law is empty. */
 typedef struct handle {
     int64_t tag;
+    intptr_t copy;
     mdr_law_view view;
 } handle;
+
+/* Each copy of the library in a process, static or shared, has one at an address of its own, which its handles contain. */
+static const char this_copy = 0;
+
+intptr_t mdrcontact_this_copy(void);
+intptr_t mdrcontact_this_copy(void) { return (intptr_t)&this_copy; }
 
 static const int64_t live_tag = INT64_C(7239381865347100001);
 
@@ -29,7 +36,7 @@ void mdrcontact_law_view(const mdr_law *law, int branch, mdr_law_view *view)
 static const mdr_law_view *view_for(const mdr_law *law, int branch)
 {
     const handle *inside = (const handle *)law;
-    if (!inside || inside->tag != live_tag || !inside->view.buffer) return NULL;
+    if (!inside || inside->tag != live_tag || inside->copy != (intptr_t)&this_copy || !inside->view.buffer) return NULL;
     if (branch == MDR_ON_UNLOADING) return &inside->view;
     return branch == MDR_ON_LOADING && mdr_law_head_of(&inside->view)->adhesive == 0.0 ? &inside->view : NULL;
 }

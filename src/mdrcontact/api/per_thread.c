@@ -9,7 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { LONGEST_TEXT = 1023 };
+/* No structure of the caller is larger, and sizes are multiples of 4: options.f90. */
+enum { LONGEST_TEXT = 1023, LARGEST_STRUCTURE = 4096 };
 
 static _Thread_local char last_text[LONGEST_TEXT + 1];
 static _Thread_local mdr_failure last_failure;
@@ -44,7 +45,7 @@ void mdrcontact_store_error(int status, const char *words, int length, const cha
 int mdr_last_failure(mdr_failure *failure)
 {
     if (failure == NULL) return MDR_ENULL;
-    if (failure->size < sizeof failure->size) return MDR_EINVALID;
+    if (failure->size < sizeof failure->size || failure->size > LARGEST_STRUCTURE || failure->size % 4 != 0) return MDR_EINVALID;
     const size_t size = failure->size < sizeof last_failure ? failure->size : sizeof last_failure;
     last_failure.size = failure->size;
     memcpy(failure, &last_failure, size);

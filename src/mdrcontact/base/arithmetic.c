@@ -6,15 +6,24 @@
 
 _Static_assert(sizeof(fenv_t) <= 16 * sizeof(int64_t), "batch.f90 keeps it in so many numbers");
 
+/* The arithmetic of the calling thread's host, while a call computes in another one. */
+static _Thread_local struct {
+    int differs;
+    fenv_t environment;
+} host_arithmetic;
+
 void mdrcontact_set_arithmetic(fenv_t *callers)
 {
     fegetenv(callers);
+    host_arithmetic.environment = *callers;
+    host_arithmetic.differs = 1;
     fesetenv(FE_DFL_ENV);
 }
 
 /* Flags of exceptions go to the caller as after any computation. They are set, not raised: a trap of the caller does not fire. */
 void mdrcontact_set_arithmetic_back(const fenv_t *callers)
 {
+    host_arithmetic.differs = 0;
 #ifdef __SSE2__
     const unsigned raised = (unsigned)fetestexcept(FE_ALL_EXCEPT);
     fesetenv(callers);
@@ -26,4 +35,24 @@ void mdrcontact_set_arithmetic_back(const fenv_t *callers)
     fesetenv(callers);
     fesetexceptflag(&flags, raised);
 #endif
+}
+
+/* For a function of the host that may not return: it finds the arithmetic of the host, and that is what remains. */
+int mdrcontact_leave_arithmetic(fenv_t *ours)
+{
+    const int differs = host_arithmetic.differs;
+    if (differs) {
+        const fenv_t callers = host_arithmetic.environment;
+        fegetenv(ours);
+        mdrcontact_set_arithmetic_back(&callers);
+    }
+    return differs;
+}
+
+void mdrcontact_resume_arithmetic(const fenv_t *ours, int differs)
+{
+    fenv_t callers;
+    if (!differs) return;
+    mdrcontact_set_arithmetic(&callers);
+    fesetenv(ours);
 }

@@ -13,13 +13,18 @@
 
 void mdrcontact_set_arithmetic(fenv_t *callers);
 void mdrcontact_set_arithmetic_back(const fenv_t *callers);
+int mdrcontact_leave_arithmetic(fenv_t *ours);
+void mdrcontact_resume_arithmetic(const fenv_t *ours, int differs);
 
-/* Whether the thread computes as the library does: some nanoseconds. */
+/* Whether the thread computes as the library does: some nanoseconds. Vectors and scalars have one register, long double, in which
+ * sums of BLAS may be, another: control words of x87 are 64 significant bits, to nearest, all exceptions masked. */
 static inline int arithmetic_is_set(void)
 {
 #ifdef __SSE2__
-    enum { FLAGS = 0x3f, MASKED_NEAREST = 0x1f80 };
-    return (_mm_getcsr() & ~(unsigned)FLAGS) == MASKED_NEAREST;
+    enum { FLAGS = 0x3f, MASKED_NEAREST = 0x1f80, CONTROL = 0x0f3f, EXTENDED_NEAREST = 0x033f };
+    unsigned short control;
+    __asm__ __volatile__("fnstcw %0" : "=m"(control));
+    return (_mm_getcsr() & ~(unsigned)FLAGS) == MASKED_NEAREST && (control & CONTROL) == EXTENDED_NEAREST;
 #else
     return fegetround() == FE_TONEAREST;
 #endif

@@ -4,8 +4,8 @@
 !> The caller sets the number of threads; nothing is remembered between calls. Called from within a parallel region, all stays on
 !> the calling thread.
 module mdrcontact_batch
-    use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_loc, c_null_ptr
-    use mdrcontact_cancel, only: check_cancelled, poll_for_team
+    use, intrinsic :: iso_c_binding, only: c_int64_t, c_null_ptr, c_ptr
+    use mdrcontact_cancel, only: check_cancelled, help_team, lead_team, stop_team
     use mdrcontact_error, only: count_text, error_cancelled, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     !$ use omp_lib, only: omp_get_max_threads, omp_get_num_procs, omp_in_parallel
@@ -82,7 +82,7 @@ contains
         integer, intent(in) :: threads
         type(error_t), allocatable, intent(inout) :: error
         integer :: i, blocks, team, failed
-        integer(c_int), target, volatile :: team_flag
+        type(c_ptr) :: helped
         integer(c_int64_t) :: before(16)
 
         if (allocated(error) .or. n < 1) return
@@ -90,7 +90,7 @@ contains
         team = min(team_size(n, smallest, threads), blocks)
         if (team == 1) then
             do i = 1, blocks
-                call batch%work((i - 1)*block + 1, min(i*block, n), error)
+                call batch%work((i - 1)*block + 1, last_of(i, block, n), error)
                 if (.not. (allocated(error) .or. batch%is_quick)) call check_cancelled(error)
                 if (allocated(error)) return
             end do
@@ -98,28 +98,37 @@ contains
         end if
         failed = blocks + 1
         ! Dynamic: blocks begin in ascending order, and those after a failed one need not begin.
-        team_flag = 0
+        helped = lead_team()
         !$omp parallel num_threads(team) default(shared) private(before)
         call mdrcontact_set_arithmetic(before)
-        call poll_for_team(c_loc(team_flag))
+        call help_team(helped)
         !$omp do schedule(dynamic)
         do i = 1, blocks
-            call run_block(batch, i, (i - 1)*block + 1, min(i*block, n), failed, team_flag, error)
+            call run_block(batch, i, (i - 1)*block + 1, last_of(i, block, n), failed, helped, error)
         end do
         !$omp end do
-        call poll_for_team(c_null_ptr)
+        call help_team(c_null_ptr)
         call mdrcontact_set_arithmetic_back(before)
         !$omp end parallel
     end subroutine run_batch
 
+    !> The last entry of a block: i*block itself may exceed every integer.
+    pure function last_of(i, block, n) result(last)
+        integer, intent(in) :: i, block, n
+        integer :: last
+
+        last = (i - 1)*block
+        last = last + min(block, n - last)
+    end function last_of
+
     !> One block, unless an earlier one has failed.
-    subroutine run_block(batch, number, first, last, failed, team_flag, error)
+    subroutine run_block(batch, number, first, last, failed, helped, error)
         class(batch_t), intent(inout) :: batch
         integer, intent(in) :: number, first, last
         !> number of the earliest block that has failed, and its error; both shared by the threads
         integer, intent(inout) :: failed
-        !> whether the thread of the caller, the only one with a cancel function, was cancelled
-        integer(c_int), intent(inout) :: team_flag
+        !> the team of the caller's thread, the only one with a cancel function
+        type(c_ptr), intent(in) :: helped
         type(error_t), allocatable, intent(inout) :: error
         type(error_t), allocatable :: found
         integer :: earliest
@@ -130,10 +139,7 @@ contains
         call batch%work(first, last, found)
         if (.not. (allocated(found) .or. batch%is_quick)) call check_cancelled(found)
         if (.not. allocated(found)) return
-        if (found%code == error_cancelled) then
-            !$omp atomic write
-            team_flag = 1
-        end if
+        if (found%code == error_cancelled) call stop_team(helped)
         !$omp critical (mdrcontact_batch_failed)
         if (number < failed) then
             !$omp atomic write

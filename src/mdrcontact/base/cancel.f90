@@ -4,10 +4,13 @@
 module mdrcontact_cancel
     use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_funptr, c_int, c_loc, c_null_funptr, &
                                            c_null_ptr, c_ptr
-    use mdrcontact_error, only: error_cancelled, error_t, raise
+    use mdrcontact_error, only: error_cancelled, error_invalid, error_t, raise
     implicit none (type, external)
     private
-    public :: cancel_function, check_cancelled, poll_for_team, report_progress, set_cancel, set_progress
+    public :: cancel_function, check_cancelled, help_team, lead_team, report_progress, set_cancel, set_progress, stop_team
+
+    !> The answer where the cancel function itself makes the call: cancel.c.
+    integer(c_int), parameter :: asked_from_within = 2_c_int
 
     abstract interface
         !> Nonzero: stop. After that it must return nonzero until the call has returned.
@@ -42,10 +45,20 @@ module mdrcontact_cancel
             real(c_double), value :: part
         end subroutine mdrcontact_report
 
-        subroutine mdrcontact_poll_for_team(team_flag) bind(C)
+        function mdrcontact_lead_team() result(team) bind(C)
             import :: c_ptr
-            type(c_ptr), value :: team_flag
-        end subroutine mdrcontact_poll_for_team
+            type(c_ptr) :: team
+        end function mdrcontact_lead_team
+
+        subroutine mdrcontact_help(team) bind(C)
+            import :: c_ptr
+            type(c_ptr), value :: team
+        end subroutine mdrcontact_help
+
+        subroutine mdrcontact_stop_team(team) bind(C)
+            import :: c_ptr
+            type(c_ptr), value :: team
+        end subroutine mdrcontact_stop_team
     end interface
 
 contains
@@ -82,19 +95,41 @@ contains
         status = mdr_set_progress(place)
     end subroutine set_progress
 
-    !> In a thread that helps another one: check_cancelled follows that one.
-    subroutine poll_for_team(team_flag)
-        !> address of an integer(c_int) that is not 0 once it was cancelled; null: the thread no longer helps
-        type(c_ptr), intent(in) :: team_flag
+    !> A team begins to work for the calling thread, the only one whose cancel function is called: what its threads give to help_team
+    !> and stop_team.
+    function lead_team() result(team)
+        type(c_ptr) :: team
 
-        call mdrcontact_poll_for_team(team_flag)
-    end subroutine poll_for_team
+        team = mdrcontact_lead_team()
+    end function lead_team
+
+    !> The calling thread works for a team from now on: check_cancelled follows the thread that leads it.
+    subroutine help_team(team)
+        !> null: the thread no longer helps
+        type(c_ptr), intent(in) :: team
+
+        call mdrcontact_help(team)
+    end subroutine help_team
+
+    !> The thread that leads a team was cancelled.
+    subroutine stop_team(team)
+        type(c_ptr), intent(in) :: team
+
+        call mdrcontact_stop_team(team)
+    end subroutine stop_team
 
     !> Raises if the caller cancels the call. It costs about ten nanoseconds: for anything that is done thousands of times.
     subroutine check_cancelled(error)
         type(error_t), allocatable, intent(inout) :: error
 
-        if (mdrcontact_is_cancelled() /= 0) call raise(error, error_cancelled, "cancelled by the caller")
+        integer(c_int) :: answer
+
+        answer = mdrcontact_is_cancelled()
+        if (answer == asked_from_within) then
+            call raise(error, error_invalid, "the cancel function makes a long call: it must return first")
+        else if (answer /= 0_c_int) then
+            call raise(error, error_cancelled, "cancelled by the caller")
+        end if
     end subroutine check_cancelled
 
     !> Reports the progress of the call.
