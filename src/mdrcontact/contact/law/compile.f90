@@ -13,7 +13,7 @@ module mdrcontact_law_compile
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: piece_t, compile_pieces, compile_straight, control_of, open_table, close_table
+    public :: piece_t, compile_pieces, compile_straight, control_of, interpolating, open_table, close_table
 
     !> A part of the branch in which s grows with x, from one coordinate to the next.
     type :: piece_t

@@ -1,0 +1,507 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/**
+ * @file mdrcontact_plastic_law.h
+ * Plastic laws in inner loops and on devices: inline functions of C99, C++, CUDA, HIP, SYCL and OpenMP that evaluate a law of
+ * mdrcontact/plastic.h. None calls the library.
+ *
+ * A view reads the buffer of a law, an array of doubles (mdr_plastic_law_buffer()) in any memory. It is a plain structure, valid as
+ * long as its buffer, may be copied, and any number of threads may use it. The memory of a contact belongs to the calling program.
+ *
+ * The functions return MDR_SUCCESS; MDR_EDOMAIN beyond the largest depth; or MDR_EINVALID for a depth or a memory that is not one.
+ * After a failure their outputs are NaN, and the memory is unchanged.
+ * @since 0.1
+ */
+#ifndef MDRCONTACT_PLASTIC_LAW_INLINE_H
+#define MDRCONTACT_PLASTIC_LAW_INLINE_H
+
+#include "mdrcontact_law.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** First number of the buffer of a plastic law. */
+#define MDR_PLASTIC_FORMAT 1296843601.0
+
+/** Head of the buffer of a plastic law. Counts and places are also doubles. Places are indices from the beginning of the buffer. */
+typedef struct mdr_plastic_head {
+    double format;  /**< MDR_PLASTIC_FORMAT. */
+    double size;    /**< Number of values in the buffer. */
+    double elastic; /**< Place of the buffer of the elastic law. */
+    double yield;   /**< Depth of first yield [length]. */
+    double highest; /**< Largest depth; with adhesion that of the contact without it [length]. */
+    double scale;   /**< Beyond yield y = scale d + offset, whose exponent and leading bits number the panel. */
+    double offset;  /**< See scale. */
+    double bits;    /**< Leading bits of y that number a panel. */
+    double panels;  /**< Number of panels. */
+    double edges;   /**< Place of the ends of the panels, one more than panels; 0: the bits of y number them [length]. */
+    double rows;    /**< Place of the polynomials: 8 coefficients of F, a and the share of uniform pressure for each panel. */
+    double energy;  /**< Place of the work int F dd in the middle of each panel. */
+    double tension; /**< With adhesion, place of the polynomials of the work that it takes from the plastic loss; else 0. */
+    double modulus; /**< E* [modulus]. */
+    double line;    /**< 2 pi gamma/E*, gamma the work of adhesion [length]; 0 without adhesion. */
+    double radius;  /**< a^2/d of the elastic contact [length]. */
+} mdr_plastic_head;
+
+/** A view of a plastic law, read by the inline functions. Its members are private. */
+typedef struct mdr_plastic_view {
+    mdr_law_view elastic;  /**< The elastic law, up to yield. */
+    mdr_law_view virgin;   /**< First loading beyond yield: its panels only. */
+    double yield, highest; /**< See mdr_plastic_head [length]. */
+    const double *edges;   /**< Ends of the panels, or NULL. */
+    const double *rows;    /**< [24] for each panel. */
+    const double *energy;  /**< [1] for each panel. */
+    const double *tension; /**< [8] for each panel, or NULL. */
+    double modulus, line;  /**< See mdr_plastic_head. */
+    double radius;         /**< See mdr_plastic_head [length]. */
+    int panels;            /**< Number of panels. */
+} mdr_plastic_view;
+
+/** State of a plastic contact. */
+typedef struct mdr_plastic_point {
+    double force;  /**< F [modulus length^2]. */
+    double slope;  /**< dF/dd along the path [modulus length]. */
+    double radius; /**< a [length]. */
+} mdr_plastic_point;
+
+/** Return the view of a buffer that is used at another address, for example on a device.
+ *  @param buffer  written by mdr_plastic_law_buffer(); read here
+ *  @param there   address of the same numbers where the view is used
+ *  @param view    receives the view
+ */
+MDR_INLINE int mdr_plastic_view_at(const double *buffer, const double *there, mdr_plastic_view *view)
+{
+    const mdr_plastic_head *const head = (const mdr_plastic_head *)buffer;
+    if (!buffer || !there || !view) return MDR_ENULL;
+    if (head->format != MDR_PLASTIC_FORMAT) return MDR_EINVALID;
+    const size_t elastic = (size_t)head->elastic;
+    const int status = mdr_law_view_at(buffer + elastic, there + elastic, MDR_ON_UNLOADING, &view->elastic);
+    if (status != MDR_SUCCESS) return status;
+    view->virgin = view->elastic;
+    view->virgin.scale = head->scale;
+    view->virgin.offset = head->offset;
+    view->virgin.shift = 52 - (int)head->bits;
+    view->virgin.half = (uint64_t)1 << (view->virgin.shift - 1);
+    view->virgin.mask = ~(2 * view->virgin.half - 1);
+    view->yield = head->yield;
+    view->highest = head->highest;
+    view->edges = head->edges > 0.0 ? there + (size_t)head->edges : NULL;
+    view->rows = there + (size_t)head->rows;
+    view->energy = there + (size_t)head->energy;
+    view->tension = head->tension > 0.0 ? there + (size_t)head->tension : NULL;
+    view->modulus = head->modulus;
+    view->line = head->line;
+    view->radius = head->radius;
+    view->panels = (int)head->panels;
+    return MDR_SUCCESS;
+}
+
+/* The panel beyond yield that holds d, the place t in it and dt/dd. */
+MDR_INLINE size_t mdr_plastic_panel(const mdr_plastic_view *view, double d, double *t, double *rate)
+{
+    if (!view->edges) {
+        *rate = view->virgin.scale;
+        return (size_t)mdr_law_panel(&view->virgin, view->virgin.scale * d + view->virgin.offset, t);
+    }
+    int low = 0, high = view->panels - 1;
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        if (d > view->edges[middle + 1]) low = middle + 1;
+        else high = middle;
+    }
+    *rate = 2.0 / (view->edges[low + 1] - view->edges[low]);
+    *t = ((d - view->edges[low]) + (d - view->edges[low + 1])) / (view->edges[low + 1] - view->edges[low]);
+    return (size_t)low;
+}
+
+/* An imprint: contact radius A and the terms of its line load over E*, alpha2 s + alpha1 s^2, s^2 = 1 - (x/A)^2. Lengths. */
+typedef struct mdr_plastic_imprint {
+    double radius, uniform, hertz; /* A, alpha2, alpha1 */
+} mdr_plastic_imprint;
+
+/* The imprint of a largest depth beyond yield. The two terms have the force of first loading: F is continuous. */
+MDR_INLINE mdr_plastic_imprint mdr_plastic_imprint_of(const mdr_plastic_view *view, double deepest)
+{
+    mdr_plastic_imprint imprint;
+    double t, rate;
+    const double *const row = view->rows + 24 * mdr_plastic_panel(view, deepest, &t, &rate);
+    const double force = mdr_law_polynomial(row, t);
+    imprint.radius = mdr_law_polynomial(row + 8, t);
+    imprint.uniform = mdr_law_polynomial(row + 16, t);
+    if (!(imprint.uniform > 0.0)) imprint.uniform = 0.0;
+    imprint.hertz = 0.75 * force / (view->modulus * imprint.radius) - 1.1780972450961724 * imprint.uniform; /* 3 pi/8 */
+    return imprint;
+}
+
+/* theta - sin theta cos theta, over 2, where u = sin theta and s = cos theta. */
+MDR_INLINE double mdr_plastic_segment(double u, double s)
+{
+    const double q = u * u;
+    if (u < 0.1) {
+        return u * q * (1.0 / 3.0 + q * (0.1 + q * (3.0 / 56.0 + q * (5.0 / 144.0 + q * (35.0 / 1408.0 + q * (63.0 / 3328.0))))));
+    }
+    return 0.5 * ((s < u ? 1.5707963267948966 - asin(s) : asin(u)) - u * s);
+}
+
+/* s = sqrt(1 - u^2) and u = a/A of an imprint without adhesion at y = (largest depth) - d; 0 if the contact is open. */
+MDR_INLINE int mdr_plastic_edge(const mdr_plastic_imprint *imprint, double y, double *s, double *u)
+{
+    const double a1 = imprint->hertz, a2 = imprint->uniform, w = (a1 + a2) - y;
+    double root, first;
+    if (!(w > 0.0)) return 0;
+    root = a2 * a2 + 4.0 * a1 * y;
+    first = 2.0 * y / (a2 + sqrt(root > 0.0 ? root : 0.0));
+    if (y == 0.0) first = 0.0;
+    if (first < 0.75) {
+        *s = first;
+        *u = sqrt((1.0 - first) * (1.0 + first));
+    } else {
+        const double b = a2 + 2.0 * a1;
+        root = b * b - 4.0 * a1 * w;
+        const double t = 2.0 * w / (b + sqrt(root > 0.0 ? root : 0.0));
+        *s = 1.0 - t;
+        *u = sqrt(t * (2.0 - t));
+    }
+    return 1;
+}
+
+/* F/E* and U/E* of an imprint without adhesion whose contact ends at u. */
+MDR_INLINE double mdr_plastic_force_at(const mdr_plastic_imprint *imprint, double s, double u)
+{
+    return 2.0 * imprint->radius
+           * (2.0 / 3.0 * imprint->hertz * (u * u * u) + imprint->uniform * mdr_plastic_segment(u, s));
+}
+
+MDR_INLINE double mdr_plastic_energy_at(const mdr_plastic_imprint *imprint, double s, double u)
+{
+    const double a1 = imprint->hertz, a2 = imprint->uniform, cube = u * u * u;
+    const double angle = s < u ? 1.5707963267948966 - asin(s) : asin(u);
+    const double mixed = 0.125 * (angle * (4.0 * u * u - 1.0) + u * s) - 5.0 / 12.0 * (cube * s);
+    return imprint->radius * (8.0 / 15.0 * a1 * a1 * (cube * u * u) + 2.0 * a1 * a2 * mixed + a2 * a2 * (u - cube / 3.0 - s * angle));
+}
+
+/* First loading without adhesion: F, dF/dd, a and da/dd at a depth up to the largest one; a == NULL: the first two alone. */
+MDR_INLINE int mdr_plastic_virgin(const mdr_plastic_view *view, double d, double *F, double *slope, double *a, double *widening)
+{
+    double t, rate, rise;
+    if (d > view->yield) {
+        const double *const row = view->rows + 24 * mdr_plastic_panel(view, d, &t, &rate);
+        *F = mdr_law_polynomial_with_slope(row, t, &rise);
+        *slope = rate * rise;
+        if (a) {
+            *a = mdr_law_polynomial_with_slope(row + 8, t, &rise);
+            if (widening) *widening = rate * rise;
+        }
+        return MDR_SUCCESS;
+    }
+    if (!a) return mdr_law_view_force_slope(&view->elastic, d, F, slope);
+    mdr_law_point point;
+    const int status = mdr_law_view_state(&view->elastic, d, &point);
+    *F = point.force;
+    *slope = point.slope;
+    *a = point.radius;
+    if (widening) *widening = d > 0.0 ? 0.5 * point.radius / d : 0.0;
+    return status;
+}
+
+/* Work int F dd of first loading without adhesion. */
+MDR_INLINE double mdr_plastic_work(const mdr_plastic_view *view, double d)
+{
+    double t, rate, work = 0.0;
+    if (d > view->yield) {
+        const size_t panel = mdr_plastic_panel(view, d, &t, &rate);
+        const double *const c = view->rows + 24 * panel;
+        for (int i = 7; i >= 0; --i) work = work * t + c[i] * (1.0 / (i + 1));
+        return view->energy[panel] + work * t / rate;
+    }
+    mdr_law_point point;
+    mdr_law_view_state(&view->elastic, d, &point);
+    return point.energy;
+}
+
+/* The state of a contact without adhesion whose largest depth so far is `deepest`; *kept becomes the largest depth with this one. */
+MDR_INLINE int mdr_plastic_follow(const mdr_plastic_view *view, double deepest, double d, double *kept, double *F, double *slope,
+                                  double *a)
+{
+    if (!(d <= DBL_MAX && d >= -DBL_MAX && deepest >= 0.0 && deepest <= view->highest)) return MDR_EINVALID;
+    if (d > view->highest) return MDR_EDOMAIN;
+    *kept = d > deepest ? d : deepest;
+    if (d >= deepest || deepest <= view->yield) return mdr_plastic_virgin(view, d, F, slope, a, NULL);
+    const mdr_plastic_imprint imprint = mdr_plastic_imprint_of(view, deepest);
+    double s, u = 0.0;
+    *F = 0.0;
+    if (mdr_plastic_edge(&imprint, deepest - d, &s, &u)) *F = view->modulus * mdr_plastic_force_at(&imprint, s, u);
+    *slope = 2.0 * view->modulus * imprint.radius * u;
+    if (a) *a = imprint.radius * u;
+    return MDR_SUCCESS;
+}
+
+/* With adhesion: depth by which the edge of a contact of radius a is pulled out. */
+MDR_INLINE double mdr_plastic_pull(const mdr_plastic_view *view, double a)
+{
+    return sqrt(view->line * (a > 0.0 ? a : 0.0));
+}
+
+/* The largest depth without adhesion at which first loading with adhesion arrives at d, from the state at `deepest` on; NaN beyond
+ * the largest depth. */
+MDR_INLINE double mdr_plastic_arrive(const mdr_plastic_view *view, double deepest, double d)
+{
+    const double touch = cbrt(view->line * view->line * view->radius); /* where an elastic contact closes */
+    double low = deepest > touch ? deepest : touch, high = view->highest, x = low, F, slope, a, widening;
+    if (!(high > low)) return high == low ? low : (double)NAN;
+    mdr_plastic_virgin(view, high, &F, &slope, &a, &widening);
+    if (high - mdr_plastic_pull(view, a) < d) return (double)NAN;
+    for (int i = 0; i < 60; ++i) {
+        mdr_plastic_virgin(view, x, &F, &slope, &a, &widening);
+        const double pull = mdr_plastic_pull(view, a), miss = x - pull - d;
+        if (miss < 0.0) low = x;
+        else high = x;
+        double next = x - miss / (1.0 - 0.5 * pull * widening / a);
+        if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+        if (fabs(next - x) <= 4.5e-16 * x) return next;
+        x = next;
+    }
+    return x;
+}
+
+/* The imprint of any largest depth, yielded or not. */
+MDR_INLINE mdr_plastic_imprint mdr_plastic_any_imprint(const mdr_plastic_view *view, double deepest)
+{
+    mdr_plastic_imprint imprint;
+    if (deepest > view->yield) return mdr_plastic_imprint_of(view, deepest);
+    imprint.radius = sqrt(view->radius * (deepest > 0.0 ? deepest : 0.0));
+    imprint.uniform = 0.0;
+    imprint.hertz = deepest;
+    return imprint;
+}
+
+/* (largest depth) - d of an imprint with adhesion whose contact ends at s; l at its full radius. */
+MDR_INLINE double mdr_plastic_recovery(const mdr_plastic_imprint *imprint, double pull, double s)
+{
+    return s * (imprint->uniform + imprint->hertz * s) + pull * sqrt(sqrt((1.0 - s) * (1.0 + s)));
+}
+
+/* The largest s of a stable contact under prescribed depth: pull-off. */
+MDR_INLINE double mdr_plastic_last(const mdr_plastic_imprint *imprint, double pull)
+{
+    double low = 0.0, high = 1.0;
+    for (int i = 0; i < 60 && high - low > 1e-16; ++i) {
+        const double s = 0.5 * (low + high), u = sqrt((1.0 - s) * (1.0 + s));
+        if ((imprint->uniform + 2.0 * imprint->hertz * s) * (u * sqrt(u)) > 0.5 * pull * s) low = s;
+        else high = s;
+    }
+    return low;
+}
+
+/* s of the stable contact at y = (largest depth) - d between those at s = 0 and at `last`. */
+MDR_INLINE double mdr_plastic_peel(const mdr_plastic_imprint *imprint, double pull, double last, double y)
+{
+    double low = 0.0, high = last, s = 0.5 * last;
+    for (int i = 0; i < 80; ++i) {
+        const double u = sqrt((1.0 - s) * (1.0 + s)), miss = mdr_plastic_recovery(imprint, pull, s) - y;
+        const double rise = imprint->uniform + 2.0 * imprint->hertz * s - 0.5 * pull * s / (u * sqrt(u));
+        if (miss < 0.0) low = s;
+        else high = s;
+        double next = s - miss / rise;
+        if (!(next > low && next < high)) next = 0.5 * (low + high);
+        if (fabs(next - s) <= 2.3e-16 * s || high - low <= 2.3e-16 * high) return next;
+        s = next;
+    }
+    return s;
+}
+
+/* A contact with adhesion: what first loading without adhesion has reached, whether it is closed, and s of its edge, 0 where it is on
+ * first loading. */
+typedef struct mdr_plastic_sticky {
+    double deepest, s, lost;
+    int closed;
+} mdr_plastic_sticky;
+
+/* Energy of a closed contact with adhesion against separated bodies. */
+MDR_INLINE double mdr_plastic_sticky_energy(const mdr_plastic_view *view, const mdr_plastic_sticky *contact)
+{
+    const mdr_plastic_imprint imprint = mdr_plastic_any_imprint(view, contact->deepest);
+    const double s = contact->s, u = sqrt((1.0 - s) * (1.0 + s)), a = imprint.radius * u;
+    if (!contact->closed) return 0.0;
+    return view->modulus
+           * (mdr_plastic_energy_at(&imprint, s, u) - mdr_plastic_force_at(&imprint, s, u) * mdr_plastic_pull(view, a)
+              + 0.5 * view->line * a * a);
+}
+
+/* Energy that plastic flow has taken on first loading to a largest depth. */
+MDR_INLINE double mdr_plastic_loss(const mdr_plastic_view *view, double deepest)
+{
+    double t, rate, tension = 0.0;
+    if (!(deepest > view->yield)) return 0.0;
+    const mdr_plastic_imprint imprint = mdr_plastic_imprint_of(view, deepest);
+    if (view->tension) tension = mdr_law_polynomial(view->tension + 8 * mdr_plastic_panel(view, deepest, &t, &rate), t);
+    return mdr_plastic_work(view, deepest) - view->modulus * mdr_plastic_energy_at(&imprint, 0.0, 1.0) - tension;
+}
+
+/* Moves a closed contact with adhesion to d, where it may detach. */
+MDR_INLINE int mdr_plastic_move(const mdr_plastic_view *view, double d, mdr_plastic_sticky *contact)
+{
+    const mdr_plastic_imprint imprint = mdr_plastic_any_imprint(view, contact->deepest);
+    const double pull = mdr_plastic_pull(view, imprint.radius), y = contact->deepest - d;
+    contact->s = 0.0;
+    if (y <= pull) {
+        const double reached = mdr_plastic_arrive(view, contact->deepest, d);
+        if (!(reached >= 0.0)) return MDR_EDOMAIN;
+        contact->deepest = reached > contact->deepest ? reached : contact->deepest;
+        return MDR_SUCCESS;
+    }
+    const double last = mdr_plastic_last(&imprint, pull);
+    if (y > mdr_plastic_recovery(&imprint, pull, last)) {
+        contact->s = last;
+        contact->lost += mdr_plastic_sticky_energy(view, contact);
+        contact->closed = 0;
+        contact->s = 0.0;
+        return MDR_SUCCESS;
+    }
+    contact->s = mdr_plastic_peel(&imprint, pull, last, y);
+    return MDR_SUCCESS;
+}
+
+/* A contact with adhesion, by its memory: the largest depth, negative while the contact is closed, and what jumps have lost. */
+MDR_INLINE int mdr_plastic_follow_sticky(const mdr_plastic_view *view, const double memory[2], double d, mdr_plastic_sticky *contact)
+{
+    contact->deepest = fabs(memory[0]);
+    contact->closed = memory[0] < 0.0;
+    contact->lost = memory[1];
+    contact->s = 0.0;
+    if (!(d <= DBL_MAX && d >= -DBL_MAX && contact->deepest <= view->highest && contact->lost >= 0.0 && contact->lost <= DBL_MAX)) {
+        return MDR_EINVALID;
+    }
+    if (!contact->closed) {
+        const mdr_plastic_imprint imprint = mdr_plastic_any_imprint(view, contact->deepest);
+        const double touch = contact->deepest - (imprint.uniform + imprint.hertz), before = mdr_plastic_loss(view, contact->deepest);
+        if (d < touch) return MDR_SUCCESS;
+        contact->closed = 1;
+        const int status = mdr_plastic_move(view, touch, contact);
+        if (status != MDR_SUCCESS) return status;
+        contact->lost += before - mdr_plastic_loss(view, contact->deepest) - mdr_plastic_sticky_energy(view, contact);
+    }
+    return mdr_plastic_move(view, d, contact);
+}
+
+/* The same with the force, its slope and the radius. */
+MDR_INLINE int mdr_plastic_sticky_state(const mdr_plastic_view *view, const double memory[2], double d, mdr_plastic_sticky *contact,
+                                        double *F, double *slope, double *a)
+{
+    double force, rise, radius, widening;
+    const int status = mdr_plastic_follow_sticky(view, memory, d, contact);
+    if (status != MDR_SUCCESS) return status;
+    *F = *slope = 0.0;
+    if (a) *a = 0.0;
+    if (!contact->closed) return MDR_SUCCESS;
+    if (contact->s > 0.0) {
+        const mdr_plastic_imprint imprint = mdr_plastic_any_imprint(view, contact->deepest);
+        const double s = contact->s, u = sqrt((1.0 - s) * (1.0 + s));
+        radius = imprint.radius * u;
+        const double pull = mdr_plastic_pull(view, radius), steep = (imprint.uniform + 2.0 * imprint.hertz * s) * (u * u);
+        *F = view->modulus * (mdr_plastic_force_at(&imprint, s, u) - 2.0 * radius * pull);
+        *slope = 2.0 * view->modulus * radius * (steep - 1.5 * pull * s) / (steep - 0.5 * pull * s);
+    } else {
+        const int found = mdr_plastic_virgin(view, contact->deepest, &force, &rise, &radius, &widening);
+        const double pull = mdr_plastic_pull(view, radius);
+        if (found != MDR_SUCCESS) return found;
+        *F = force - 2.0 * view->modulus * radius * pull;
+        *slope = (rise - 3.0 * view->modulus * pull * widening) / (1.0 - 0.5 * pull * widening / radius);
+    }
+    if (a) *a = radius;
+    return MDR_SUCCESS;
+}
+
+/** Compute the force of one contact at a depth, and change its memory; as mdr_plastic_law_advance() for one contact.
+ *  @param view    view of a law
+ *  @param d       indentation depth at the end of the step [length]
+ *  @param memory  of the contact: one number, with adhesion two, all 0 before the first step
+ *  @param F       receives the normal force [modulus length^2]
+ *  @param slope   receives dF/dd along the path [modulus length]
+ */
+MDR_INLINE int mdr_plastic_view_advance(const mdr_plastic_view *view, double d, double memory[], double *F, double *slope)
+{
+    int status;
+    if (view->line > 0.0) {
+        mdr_plastic_sticky contact;
+        status = mdr_plastic_sticky_state(view, memory, d, &contact, F, slope, NULL);
+        if (status == MDR_SUCCESS) {
+            memory[0] = contact.closed ? -contact.deepest : contact.deepest;
+            memory[1] = contact.lost;
+        }
+    } else {
+        double kept;
+        status = mdr_plastic_follow(view, memory[0], d, &kept, F, slope, NULL);
+        if (status == MDR_SUCCESS) memory[0] = kept;
+    }
+    if (status != MDR_SUCCESS) *F = *slope = (double)NAN;
+    return status;
+}
+
+/** Compute the state of one contact at a depth without a change of its memory.
+ *  @param view    view of a law
+ *  @param d       indentation depth at the end of the step [length]
+ *  @param memory  of the contact, as in mdr_plastic_view_advance()
+ *  @param after   or NULL: receives the memory that mdr_plastic_view_advance() would leave
+ *  @param point   receives the state
+ */
+MDR_INLINE int mdr_plastic_view_attempt(const mdr_plastic_view *view, double d, const double memory[], double after[],
+                                        mdr_plastic_point *point)
+{
+    int status;
+    if (view->line > 0.0) {
+        mdr_plastic_sticky contact;
+        status = mdr_plastic_sticky_state(view, memory, d, &contact, &point->force, &point->slope, &point->radius);
+        if (status == MDR_SUCCESS && after) {
+            after[0] = contact.closed ? -contact.deepest : contact.deepest;
+            after[1] = contact.lost;
+        }
+    } else {
+        double kept;
+        status = mdr_plastic_follow(view, memory[0], d, &kept, &point->force, &point->slope, &point->radius);
+        if (status == MDR_SUCCESS && after) after[0] = kept;
+    }
+    if (status != MDR_SUCCESS) point->force = point->slope = point->radius = (double)NAN;
+    return status;
+}
+
+/** Compute the energies of one contact at a depth.
+ *  @param view        view of a law
+ *  @param d           indentation depth [length]
+ *  @param memory      of the contact, as in mdr_plastic_view_advance(); a step to d is taken without a change of it
+ *  @param stored      receives the work that the contact gives back, less with adhesion that of its surfaces [modulus length^3]
+ *  @param dissipated  receives what plastic flow and jumps have taken since the first step [modulus length^3]
+ */
+MDR_INLINE int mdr_plastic_view_energies(const mdr_plastic_view *view, double d, const double memory[], double *stored,
+                                         double *dissipated)
+{
+    mdr_plastic_sticky contact = {0.0, 0.0, 0.0, 0};
+    int status;
+    *stored = *dissipated = (double)NAN;
+    if (view->line > 0.0) {
+        status = mdr_plastic_follow_sticky(view, memory, d, &contact);
+        if (status == MDR_SUCCESS) *stored = mdr_plastic_sticky_energy(view, &contact);
+    } else {
+        double F, slope, s, u;
+        status = mdr_plastic_follow(view, memory[0], d, &contact.deepest, &F, &slope, NULL);
+        if (status == MDR_SUCCESS) {
+            *stored = 0.0;
+            if (contact.deepest <= view->yield) {
+                *stored = mdr_plastic_work(view, d);
+            } else {
+                const mdr_plastic_imprint imprint = mdr_plastic_imprint_of(view, contact.deepest);
+                if (mdr_plastic_edge(&imprint, contact.deepest - d, &s, &u)) {
+                    *stored = view->modulus * mdr_plastic_energy_at(&imprint, s, u);
+                }
+            }
+        }
+    }
+    if (status == MDR_SUCCESS) *dissipated = mdr_plastic_loss(view, contact.deepest) + contact.lost;
+    return status;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
