@@ -103,7 +103,8 @@ module mdrcontact
     use mdrcontact_conduction_fields, only: conductance_at, flux_at, inside_at
     use mdrcontact_conduction_heat, only: friction_heat, heat_field, heat_t
     use mdrcontact_conduction_moving, only: moving_heat
-    use mdrcontact_conduction_rough, only: rough_conductance
+    use mdrcontact_conduction_rough, only: joint_conductance, rough_conductance
+    use mdrcontact_conduction_rough_law, only: joint_resistance => micro_resistance
     use mdrcontact_conduction_source, only: sliding, spinning
     use mdrcontact_conduction_table, only: tabulate_conductance
     use mdrcontact_conduction_transient, only: gaussian, uniform_centre, uniform_mean

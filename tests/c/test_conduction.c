@@ -63,7 +63,7 @@ static void test_pair(void)
 
 static void test_of_contact(void)
 {
-    const double E = 3.0, nu = 0.25, radius[1] = {0.3};
+    const double E = 3.0, nu = 0.25, radius[1] = {0.3}, one = 1.0;
     double conductance, by_force, by_depth, rough, out[2], r[2] = {0.0, 0.1}, z[2] = {0.0, 0.2};
     mdr_conduction *p = NULL, *table = NULL;
     mdr_profile *ball = NULL;
@@ -111,6 +111,24 @@ static void test_of_contact(void)
     CHECK_STATUS(mdr_conduction_heat(p, c, 1, NULL, MDR_HEAT_SLIDING, 0.5, 0.0, &heat), MDR_ENULL, "states");
     CHECK_STATUS(mdr_conduction_heat(p, c, 1, &state, MDR_HEAT_SLIDING, 0.5, 0.0, NULL), MDR_ENULL, "out");
     CHECK_STATUS(mdr_conduction_rough(p, c, &state, 0.0, &rough), MDR_EINVALID, "kappa = 0");
+    /* k_s = 2 S under a perfect conductor, in a vacuum */
+    CHECK_SUCCESS(mdr_conduction_joint_resistance(p, 0.5, 0.1, 10.0, 0.0, 0.0, 1, &one, out));
+    CHECK_CLOSE(out[0], 0.5 / (1.25 * 2.0 * 4.0 * 0.1 * pow(0.1, 0.95)), 1e-12);
+    CHECK_SUCCESS(mdr_conduction_joint(p, c, &state, 1e4, 0.1, 10.0, 1e-3, 0.0, &rough));
+    CHECK_TRUE(rough > 0.0 && rough < 1e-5 * conductance);
+    CHECK_SUCCESS(mdr_conduction_joint(p, c, &state, 1e-13, 0.1, 10.0, 1e-3, 1e-13, &rough));
+    CHECK_CLOSE(rough, conductance, 1e-7);
+    CHECK_SUCCESS(mdr_conduction_joint_resistance(p, 0.5, 0.1, 10.0, 0.0, 0.0, 0, NULL, NULL));
+    CHECK_STATUS(mdr_conduction_joint_resistance(p, 0.5, 0.1, 10.0, 0.0, 0.0, -1, &one, out), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_conduction_joint_resistance(p, 0.5, 0.1, 10.0, 0.0, 0.0, 1, NULL, out), MDR_ENULL, "pressure");
+    CHECK_STATUS(mdr_conduction_joint_resistance(p, 0.5, 0.1, 2.0, 0.0, 0.0, 1, &one, out), MDR_EDOMAIN, "hardness = 2");
+    CHECK_STATUS(mdr_conduction_joint_resistance(p, 0.5, 0.1, 10.0, 0.0, 1.0, 1, &one, out), MDR_EINVALID, "jump = 1");
+    rough = 7.0;
+    CHECK_STATUS(mdr_conduction_joint(p, c, &state, 0.5, 0.1, 1e-3, 0.0, 0.0, &rough), MDR_EDOMAIN, "hardness = 0.001");
+    CHECK_STATUS(mdr_conduction_joint(p, c, &state, -0.5, 0.1, 10.0, 0.0, 0.0, &rough), MDR_EINVALID, "roughness = -0.5");
+    CHECK_STATUS(mdr_conduction_joint(p, c, NULL, 0.5, 0.1, 10.0, 0.0, 0.0, &rough), MDR_ENULL, "state");
+    CHECK_STATUS(mdr_conduction_joint(p, c, &state, 0.5, 0.1, 10.0, 0.0, 0.0, NULL), MDR_ENULL, "out");
+    CHECK_CLOSE(rough, 7.0, 0.0);
     CHECK_STATUS(mdr_conduction_field(p, MDR_FLUX, 0.05, MDR_BODY_LOWER, 0, 1.0, 2, r, NULL, out), MDR_EDOMAIN,
                  "entry 2 of r");
     CHECK_STATUS(mdr_conduction_heat_field(p, c, &state, MDR_HEAT_SLIDING, 0.5, MDR_BODY_UPPER, 1, 2, r, z, out), MDR_EINVALID,

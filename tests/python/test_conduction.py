@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import scipy.stats
 from conftest import ROOT
 
 import mdrcontact as mdr
@@ -898,6 +899,83 @@ def test_a_rough_punch_is_two_resistances_in_series():
     punch = mdr.Contact(mdr.FlatPunch(0.4), mdr.Homogeneous(mdr.Elastic(1.0, 0.3))).at_depth(0.01)
     for part in (1e-8, 1e-3, 1.0, 100.0):
         assert 1.0 / HALF.rough(punch, part * punch.force) == pytest.approx(1.0 / 1.6 + part, rel=1e-11)
+
+
+JOINT = mdr.conduction.RoughJoint(1e-6, 0.1, 3e9)
+"""Rough surfaces in a vacuum."""
+GAS = JOINT.replace(gas=0.026, jump=4e-7)
+ALUMINIUM = mdr.conduction.Conductor(200.0)
+
+
+def test_area_resistance_of_micro_contacts():
+    """1.25 k_s m/sigma (p/H)^0.95 with the harmonic mean of both conductivities, and the gas between the mean planes."""
+    pressure = 3e9 * np.array([1e-9, 1e-6, 1e-3, 0.0227501319481792, 0.158655253931457, 0.4999])
+    contacts = 1.25 * (2.0 / (1 / 200.0 + 1 / 50.0)) * 0.1 / 1e-6 * (pressure / 3e9) ** 0.95
+    pair = Conduction(ALUMINIUM, mdr.conduction.Conductor(50.0))
+    assert pair.joint_resistance(JOINT, pressure) == pytest.approx(1.0 / contacts, rel=1e-13)
+    separation = scipy.stats.norm.isf(pressure / 3e9)
+    assert separation[3:5] == pytest.approx([2.0, 1.0], rel=1e-12)
+    whole = contacts + 0.026 / (1e-6 * separation + 4e-7)
+    assert pair.joint_resistance(GAS, pressure) == pytest.approx(1.0 / whole, rel=1e-12)
+    # one body, whose partner conducts perfectly; along and into the body the geometric mean
+    uneven = Conduction(mdr.conduction.Conductor(100.0, along=400.0))
+    assert uneven.joint_resistance(JOINT, 3e6) == pytest.approx(1e-6 / (1.25 * 400.0 * 0.1 * 0.001**0.95), rel=1e-13)
+
+
+def by_whole_series(state, resistance, terms=40):
+    """G between rough half-spaces of conductivity 1, a = 1, j = P_n and w P_n: for fluxes that may be finite at the edge."""
+    u, weight = np.polynomial.legendre.leggauss(2 * terms + 400)
+    angle, weight = 0.25 * np.pi * (u + 1.0), 0.25 * np.pi * weight
+    x, root = np.sin(angle), np.cos(angle)
+    polynomials = np.polynomial.legendre.legvander(1.0 - 2.0 * (x[:, None] ** 2 + (root[:, None] * x) ** 2), terms - 1)
+    q = 2.0 * root[:, None] ** 2 * np.einsum("j,ijn->in", weight * root**2, polynomials)
+    flux = root[:, None] * np.polynomial.legendre.legvander(1.0 - 2.0 * x**2, terms - 1)
+    plain = 2.0 * root[:, None] * np.einsum("j,ijn->in", weight * root, polynomials)
+    q, flux = np.hstack((q, plain)), np.hstack((flux, flux / root[:, None]))
+    springs = np.einsum("i,im,in->mn", weight * root, q, q) / (2.0 * np.pi)
+    springs += np.einsum("i,im,in->mn", weight * root * x * resistance(state.pressure(x)), flux, flux)
+    f = weight * root @ q / np.pi
+    return 2.0 * np.pi * f @ np.linalg.lstsq(springs, f, rcond=1e-15)[0]
+
+
+def test_micro_contacts_under_the_pressure_of_a_contact():
+    """Against a series by independent quadrature, the smooth contact, and a film of the gas alone."""
+    state = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(1.0, 0.3))).at_radius(1.0)
+    joint = mdr.conduction.RoughJoint(0.1, 0.2, 100.0)
+    gas = joint.replace(gas=0.05, jump=0.02)
+    found, with_gas = HALF.rough(state, joint), HALF.rough(state, gas)
+    assert found == pytest.approx(by_whole_series(state, lambda p: HALF.joint_resistance(joint, p)), rel=2e-9)
+    assert with_gas == pytest.approx(by_whole_series(state, lambda p: HALF.joint_resistance(gas, p)), rel=5e-9)
+    smooth = HALF.at_radius(1.0).conductance
+    assert 0.0 < found < with_gas < smooth
+    finer = [HALF.rough(state, joint.replace(roughness=10.0**-k)) for k in (1, 3, 5, 15)]
+    assert np.all(np.diff(finer) > 0.0) and finer[-1] == pytest.approx(smooth, rel=1e-8)
+    # a wide gap makes the gas a film of constant resistance: hardly any micro-contacts
+    film = joint.replace(slope=1e-12, roughness=1e-6, gas=1.0, jump=1.0)
+    assert HALF.rough(state, film) == pytest.approx(Conduction(Conductor(1.0), film=1.0).at_radius(1.0).conductance, rel=1e-4)
+
+
+def test_rough_joints_that_are_not():
+    state = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(1.0, 0.3))).at_radius(1.0)
+    for name in ("roughness", "slope", "hardness"):
+        for value in (0.0, -1.0, np.nan, np.inf):
+            with pytest.raises(mdr.errors.InvalidArgumentError, match=f"^{name} = "):
+                JOINT.replace(**{name: value})
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="^gas = -1"):
+        JOINT.replace(gas=-1.0)
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="^jump = 1e-07: .* Give gas"):
+        JOINT.replace(jump=1e-7)
+    soft = mdr.conduction.RoughJoint(0.1, 0.2, 1.9 * state.pressure(0.0))
+    with pytest.raises(mdr.errors.DomainError, match="^hardness = .* twice the pressure"):
+        HALF.rough(state, soft)
+    for pressure, error in ((0.0, "InvalidArgumentError"), (1.6e9, "DomainError"), (np.nan, "InvalidArgumentError")):
+        with pytest.raises(getattr(mdr.errors, error)):
+            HALF.joint_resistance(JOINT, pressure)
+    for wrong in ("a", None, [1.0]):
+        with pytest.raises(mdr.errors.ArgumentTypeError, match="joint"):
+            HALF.rough(state, wrong)
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="RoughJoint"):
+        HALF.joint_resistance(1.0, 1.0)
 
 
 def test_conductors_have_no_springs():

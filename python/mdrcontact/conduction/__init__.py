@@ -3,7 +3,7 @@
 
 from ..material import Conductor
 from .bodies import INSULATING, PERFECT, LayeredConductor
-from .contact import Conduction, ContactConductance, FrictionHeat, Spot, TabulatedConduction
+from .contact import Conduction, ContactConductance, FrictionHeat, RoughJoint, Spot, TabulatedConduction
 
 __all__ = [
     "Conductor",
@@ -14,5 +14,6 @@ __all__ = [
     "TabulatedConduction",
     "Spot",
     "FrictionHeat",
+    "RoughJoint",
     "ContactConductance",
 ]

@@ -30,8 +30,9 @@ from .._boundary import (
 )
 from .._choices import code
 from .._value import Value
-from ..errors import InvalidArgumentError
+from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..interior import BODIES
+from ..material import Conductor
 from ..state import State
 from .bodies import conduction_of, flux_compliance
 
@@ -43,6 +44,8 @@ MOTIONS = words_of(_layout.HEAT_SLIDING, _layout.HEAT_SPINNING, _layout.HEAT_MOV
 """Motions that make the heat of friction."""
 SIDES: dict[str, int] = {"below": 1, "above": 0}
 """Sides of an interface."""
+_LOW = 1e-6
+"""Part of the hardness under which a rough joint is checked as it is made."""
 
 
 def _at_points(r: ArrayLike, z: ArrayLike, function: Callable[..., Any]) -> FloatOrArray:
@@ -155,6 +158,65 @@ class FrictionHeat:
             return native.conduction_heat_field(handles[0], handles[1], row, motion, strength, which, below, flat_r, flat_z)
 
         return _at_points(r, z, values)
+
+
+@dataclass(frozen=True)
+class RoughJoint(Value):
+    """Rough surfaces that touch at plastic micro-contacts, with a gas between them.
+
+    The area conductance is 1.25 k_s (m/sigma) (p/H)^0.95 + k_g/(Y + M). Here k_s is the harmonic mean of the conductivities of both
+    surfaces, and the separation Y of the mean planes fulfils erfc(Y/(sqrt(2) sigma)) = 2 p/H.
+
+    Parameters
+    ----------
+    roughness : float
+        sigma > 0, root mean square of the heights of both surfaces together [length].
+    slope : float
+        m > 0, mean absolute slope of both surfaces together [1].
+    hardness : float
+        H > 0 of the softer surface [modulus].
+    gas : float, optional
+        Conductivity k_g of the gas, >= 0; 0 is a vacuum [conductance/length].
+    jump : float, optional
+        M >= 0, sum of the temperature jump lengths of both surfaces [length].
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range, or `jump` is given without a gas.
+
+    Notes
+    -----
+    The power 0.95 approximates the theory for p/H from 1e-6 to 0.023.
+
+    References
+    ----------
+    cooper-1969
+    yovanovich-2005
+
+    Examples
+    --------
+    >>> aluminium = mdr.Elastic(70e9, 0.33, conductor=mdr.conduction.Conductor(200.0))
+    >>> body = mdr.Homogeneous(aluminium)
+    >>> state = mdr.Contact(mdr.Sphere(1.0), body).at_force(100.0)
+    >>> joint = mdr.conduction.RoughJoint(1e-6, 0.1, 3e9, gas=0.026, jump=4e-7)
+    >>> conduction = mdr.conduction.Conduction(body, aluminium.conductor)
+    >>> print(f"{conduction.joint_resistance(joint, state.pressure(0.0)):.3e}")
+    1.945e-06
+    >>> print(f"{conduction.rough(state, joint):.4f} of {conduction.at_radius(state.radius).conductance:.4f}")
+    0.2623 of 0.3939
+    """
+
+    roughness: float
+    slope: float
+    hardness: float
+    gas: float = 0.0
+    jump: float = 0.0
+
+    def __post_init__(self) -> None:
+        numbers = self._numbers()
+        handle = conduction_of(Conductor(1.0), None, 0.0, 0.0)
+        call(native.conduction_joint_resistance, handle, *numbers, [_LOW * self.hardness])
 
 
 @dataclass(frozen=True)
@@ -308,18 +370,19 @@ class Conduction(Value):
         check(status, single=not shape)
         return ContactConductance(*(value.reshape(shape) if shape else float(value[0]) for value in values))
 
-    def rough(self, state: State, kappa: float) -> float:
+    def rough(self, state: State, joint: RoughJoint | float) -> float:
         """Return the steady conductance of one state between rough surfaces.
 
-        The area resistance kappa/p(r) in the contact area follows the pressure of the state and replaces `film`. The error is 1e-9
-        under smooth indenters and 1e-6 under others.
+        The area resistance in the contact area follows the pressure of the state and replaces `film`. The error of the solution is
+        1e-9 under smooth indenters and 1e-6 under others.
 
         Parameters
         ----------
         state : State
             One state of a contact without adhesion, whose edge carries no line force.
-        kappa : float
-            Area resistance times pressure, > 0 [modulus length^2/conductance].
+        joint : RoughJoint or float
+            Rough surfaces with plastic micro-contacts; or kappa > 0, the product of area resistance and pressure [modulus
+            length^2/conductance].
 
         Returns
         -------
@@ -329,12 +392,48 @@ class Conduction(Value):
         Raises
         ------
         InvalidArgumentError
-            `kappa` is not greater than 0.
+            `joint` is not greater than 0.
         DomainError
-            The pressure is not greater than 0 everywhere, as with adhesion, or the edge carries a line force.
+            The pressure is not greater than 0 everywhere, as with adhesion, or reaches half of the hardness of the joint, or the
+            edge carries a line force.
+
+        References
+        ----------
+        cooper-1969
+        yovanovich-2005
         """
-        contact = state._owner._handle
-        return float(call(native.conduction_rough, self._handle, contact, state._row(), number("kappa", kappa)))
+        contact, row = state._owner._handle, state._row()
+        if isinstance(joint, RoughJoint):
+            return float(call(native.conduction_joint, self._handle, contact, row, *joint._numbers()))
+        return float(call(native.conduction_rough, self._handle, contact, row, number("joint", joint)))
+
+    def joint_resistance(self, joint: RoughJoint, pressure: ArrayLike) -> FloatOrArray:
+        """Return the area resistance between rough surfaces under a pressure.
+
+        Parameters
+        ----------
+        joint : RoughJoint
+            The rough surfaces.
+        pressure : array_like
+            Pressures > 0, less than half of the hardness, any shape [modulus].
+
+        Returns
+        -------
+        float or ndarray
+            Area resistance, in the shape of `pressure` [length^2/conductance].
+
+        Raises
+        ------
+        InvalidArgumentError
+            A pressure is not greater than 0.
+        DomainError
+            A pressure reaches half of the hardness.
+        """
+        if not isinstance(joint, RoughJoint):
+            raise ArgumentTypeError(f"joint = {joint!r}: it must be a RoughJoint")
+        roughness, slope, hardness, gas, jump = joint._numbers()
+        given = self._handle, roughness, slope, hardness, gas, jump
+        return evaluate("pressure", pressure, lambda p: native.conduction_joint_resistance(*given, p))
 
     def step_flux(self, r: ArrayLike, time: float, radius: float) -> FloatOrArray:
         """Return the flux density after a step of the potential to 1, without a film.

@@ -686,6 +686,24 @@ def rough(conduction: Any) -> Numbers:
     return {"": conduction.rough(_SAME_CONTACT.at_depth(DEPTH), 0.1)}
 
 
+_JOINED = mdr.conduction.Conduction(mdr.conduction.Conductor(2.0), mdr.conduction.Conductor(3.0))
+
+
+@answer("Conduction.rough", tolerance=1e-6)
+def joint(rough_joint: Any) -> Numbers:
+    return {"": _JOINED.rough(_SAME_CONTACT.at_depth(DEPTH), rough_joint)}
+
+
+@answer("Conduction.joint_resistance")
+def joint_resistance(rough_joint: Any) -> Numbers:
+    return {"": _JOINED.joint_resistance(rough_joint, [0.1, 0.4])}
+
+
+@answer("Conduction.joint_resistance")
+def joint_resistance_of_bodies(conduction: Any) -> Numbers:
+    return {"": conduction.joint_resistance(mdr.conduction.RoughJoint(0.1, 0.2, 5.0, 0.3, 0.2), [0.1, 0.4])}
+
+
 @answer("Conduction.along", tolerance=1e-6)
 def along(conduction: Any) -> Numbers:
     return _columns(conduction.along(_SAME_CONTACT.at_depth([0.1, DEPTH])), "conductance", "by_force", "by_depth")

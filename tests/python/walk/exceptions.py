@@ -128,7 +128,7 @@ _except(
 _except(
     "a steady flux fills no heat capacity",
     "Conductor.capacity",
-    f"{_STEADY} friction_heat_of_pair friction_heat_spinning law_conductance rough spot_upper",
+    f"{_STEADY} friction_heat_of_pair friction_heat_spinning joint_resistance_of_bodies law_conductance rough spot_upper",
 )
 _except(
     "the answer of the bodies, without the film",
@@ -136,9 +136,9 @@ _except(
     "conduction_compliance conduction_compliance_omega",
 )
 _except(
-    "kappa over the pressure stands in place of the film",
+    "the resistance of rough surfaces replaces the film",
     "Conduction.film",
-    "rough",
+    "joint_resistance_of_bodies rough",
 )
 _except(
     "one body takes all heat, with a film or without",

@@ -107,7 +107,7 @@ def requests() -> list[Call]:
         call("Wear.passes_through", lambda **how: WORN.passes_through(_state(COATED), **how), depth=0.001),
         call("WearHistory", _slid, force=None, depth=0.25, intervals=16, places="same", scheme="disc"),
         call("Conduction.compliance", CONDUCTION.compliance, k=1.2, omega=0.6),
-        call("Conduction.rough", lambda **how: CONDUCTION.rough(_state(SOLID), **how), kappa=0.3),
+        call("Conduction.rough", lambda **how: CONDUCTION.rough(_state(SOLID), **how), joint=0.3),
         call("Conduction.step", CONDUCTION.step, time=0.5, radius=0.8, answer="conductance"),
         call("Conduction.follow", CONDUCTION.follow, time=(0.0, 0.4, 0.8), given=(0.0, 1.0, 0.4), radius=0.8, answer="conductance"),
         call("Conduction.admittance", CONDUCTION.admittance, omega=0.6, radius=0.8, answer="conductance"),

@@ -420,6 +420,8 @@ def _conduction() -> list[Scene]:
         Scene("conducting medium with interfaces", joined, ("compliance_flux",), only=("layers[0]",)),
         Scene("conducting medium", elastic, ("compliance_flux", "compliance_flux_omega")),
         Scene("conducting pair", mdr.Pair(mdr.Coated(film, 0.9, base), mdr.Homogeneous(film)), ("compliance_flux",)),
+        Scene("rough joint", mdr.conduction.RoughJoint(0.1, 0.2, 5.0, 0.3, 0.2), ("joint", "joint_resistance")),
+        Scene("conductors of a joint", Conduction(*conductors[:2], 0.2), ("joint_resistance_of_bodies",)),
         Scene("tabulated conduction", TabulatedConduction(stack, other, 0.2, None, 0.3, 1.0, 1e-8), ("spot",)),
     ]  # fmt: skip
 

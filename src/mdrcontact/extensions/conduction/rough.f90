@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A contact area between rough surfaces, whose area conductance goes with the pressure of the contact: R_c(r) = kappa/p(r).
+!> A contact area between rough surfaces, whose area resistance depends on the pressure of the contact: R_c(r) = kappa/p(r), or that
+!> of plastic micro-contacts (rough_law.f90).
 !>
 !> With j = w sum c_n P_n(1 - 2 r^2/a^2), w = sqrt(1 - r^2/a^2), line loads are polynomials times 1 - u^2, and with their Legendre
 !> coefficients T_nj and the springs' matrix H
@@ -8,6 +9,7 @@
 !> Where R_c is small, or p not smooth, its terms do not fall: then by panels (rough_panels.f90).
 module mdrcontact_conduction_rough
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance
+    use mdrcontact_conduction_rough_law, only: micro_contacts_t, new_micro_contacts, proportional_t, rough_law_t
     use mdrcontact_conduction_rough_panels, only: conductance_by_panels, solve_flux
     use mdrcontact_conduction_source, only: has_line_force
     use mdrcontact_contact, only: contact_t
@@ -22,7 +24,7 @@ module mdrcontact_conduction_rough
     use mdrcontact_numerics_quadrature, only: legendre
     implicit none (type, external)
     private
-    public :: rough_conductance
+    public :: rough_conductance, joint_conductance
 
     !> Terms of the series, fewer of them that must agree, and nodes of the rules.
     integer, parameter :: terms = 28, fewer = 20, nodes = 96
@@ -31,7 +33,7 @@ module mdrcontact_conduction_rough
 
 contains
 
-    !> G of a state.
+    !> G of a state with R_c = kappa/p.
     subroutine rough_conductance(conduction, contact, state, kappa, conductance, error)
         type(conduction_t), intent(in) :: conduction
         type(contact_t), intent(in), target :: contact
@@ -42,37 +44,68 @@ contains
         !> [conductance]
         real(wp), intent(out) :: conductance
         type(error_t), allocatable, intent(inout) :: error
+
+        conductance = 0.0_wp
+        call check_positive(error, "kappa", kappa)
+        if (.not. allocated(error)) call conductance_with(conduction, contact, state, proportional_t(kappa), conductance, error)
+    end subroutine rough_conductance
+
+    !> G of a state with plastic micro-contacts and gas between the surfaces.
+    subroutine joint_conductance(conduction, contact, state, roughness, slope, hardness, gas, jump, conductance, error)
+        type(conduction_t), intent(in) :: conduction
+        type(contact_t), intent(in), target :: contact
+        !> see rough_conductance
+        type(contact_state_t), intent(in) :: state
+        !> see new_micro_contacts
+        real(wp), intent(in) :: roughness, slope, hardness, gas, jump
+        !> [conductance]
+        real(wp), intent(out) :: conductance
+        type(error_t), allocatable, intent(inout) :: error
+        type(micro_contacts_t) :: law
+
+        conductance = 0.0_wp
+        call new_micro_contacts(law, conduction, roughness, slope, hardness, gas, jump, error)
+        if (.not. allocated(error)) call conductance_with(conduction, contact, state, law, conductance, error)
+    end subroutine joint_conductance
+
+    !> G of a state.
+    subroutine conductance_with(conduction, contact, state, law, conductance, error)
+        type(conduction_t), intent(in) :: conduction
+        type(contact_t), intent(in), target :: contact
+        type(contact_state_t), intent(in) :: state
+        class(rough_law_t), intent(in) :: law
+        real(wp), intent(out) :: conductance
+        type(error_t), allocatable, intent(inout) :: error
         type(contact_load_t) :: load
         real(wp) :: by_panels, left, reached
 
         conductance = 0.0_wp
-        call check_positive(error, "kappa", kappa)
         call conduction%check_steady(error)
         call conduction%check_radius(state%radius, error)
         if (allocated(error)) return
         if (has_line_force(contact%equilibrium, state)) then
-            call raise(error, error_invalid, "contact: a conductance proportional to the pressure is not available with a "// &
+            call raise(error, error_invalid, "contact: a conductance that depends on the pressure is not available with a "// &
                        "line force at the edge, as under a plate or a flat end on a surface with tension. Omit the plate or "// &
                        "the tension")
             return
         end if
         call contact%load(state, load, error)
-        if (.not. allocated(error)) call conductance_by_series(conduction, load, kappa, conductance, reached, error)
+        if (.not. allocated(error)) call conductance_by_series(conduction, load, law, conductance, reached, error)
         if (allocated(error) .or. reached <= settled) return
-        call conductance_by_panels(conduction, load, kappa, by_panels, left, error)
+        call conductance_by_panels(conduction, load, law, by_panels, left, error)
         if (allocated(error)) return
         if (left < reached) conductance = by_panels
         reached = min(left, reached)
         if (reached <= allowed) return
         call raise(error, error_no_convergence, "the flux through this rough contact has an error of about "//to_text(reached)// &
                    ", because its pressure is not smooth")
-    end subroutine rough_conductance
+    end subroutine conductance_with
 
     !> G by the series, and its relative decrease with fewer terms.
-    subroutine conductance_by_series(conduction, load, kappa, conductance, reached, error)
+    subroutine conductance_by_series(conduction, load, law, conductance, reached, error)
         type(conduction_t), intent(in) :: conduction
         type(contact_load_t), intent(in) :: load
-        real(wp), intent(in) :: kappa
+        class(rough_law_t), intent(in) :: law
         real(wp), intent(out) :: conductance, reached
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: matrix(:, :), spectrum(:, :)
@@ -86,7 +119,7 @@ contains
         allocate (matrix(terms, terms), spectrum(terms, m))
         call fill_spectrum(spectrum, error)
         call fill_springs(conduction, load%state%radius, spectrum, matrix, error)
-        call add_resistance(load, kappa, matrix, error)
+        call add_resistance(load, law, matrix, error)
         if (allocated(error)) return
         f(:, 1) = load%state%radius**2*sqrt(2.0_wp)/(2.0_wp*pi)*spectrum(:, 1)
         call solve_flux(matrix, f, error)
@@ -144,10 +177,10 @@ contains
         matrix = a**3/(4.0_wp*pi*conduction%scale)*matmul(spectrum, matmul(whole, transpose(spectrum)))
     end subroutine fill_springs
 
-    !> int kappa/p j_m j_n r dr.
-    subroutine add_resistance(load, kappa, matrix, error)
+    !> int R_c j_m j_n r dr.
+    subroutine add_resistance(load, law, matrix, error)
         type(contact_load_t), intent(in) :: load
-        real(wp), intent(in) :: kappa
+        class(rough_law_t), intent(in) :: law
         real(wp), intent(inout) :: matrix(:, :)
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
@@ -162,11 +195,13 @@ contains
         if (allocated(error)) return
         if (.not. all(pressure > 0.0_wp)) then
             call raise(error, error_domain, "the pressure of this contact is not greater than 0 everywhere: a conductance "// &
-                       "proportional to it is not defined")
+                       "that depends on it is not defined")
             return
         end if
+        call law%check(maxval(pressure), error)
+        if (allocated(error)) return
         p = legendre(size(p, 2), 1.0_wp - 2.0_wp*sin(angle)**2)
-        weight = 0.5_wp*half_pi*rule%weights*kappa*load%state%radius**2*cos(angle)**3*sin(angle)/pressure
+        weight = 0.5_wp*half_pi*rule%weights*law%scale*load%state%radius**2*cos(angle)**3*sin(angle)/law%conductance(pressure)
         do j = 1, size(matrix, 1)
             do i = 1, size(matrix, 1)
                 matrix(i, j) = matrix(i, j) + sum(weight*p(:, i)*p(:, j))

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A contact area whose area resistance R_c(r) = kappa/p(r) is small, or not smooth: by polynomials on panels that shrink towards
+!> A contact area whose area resistance R_c(p(r)) is small, or not smooth: by polynomials on panels that shrink towards
 !> the edge, where the flux changes within a width of about a (S_0 R_c/a)^(2/3), and towards kinks of the pressure.
 !>
 !> The unknown is the line load q as a function of s, x^2 = a^2 - s^2, continuous; at r^2 = a^2 - t^2 it is the flux density
@@ -10,6 +10,7 @@
 !> theory/conduction.md (4.11), (4.12).
 module mdrcontact_conduction_rough_panels
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance
+    use mdrcontact_conduction_rough_law, only: rough_law_t
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_error, only: error_domain, error_no_convergence, error_t, raise
@@ -54,11 +55,10 @@ module mdrcontact_conduction_rough_panels
 contains
 
     !> G of a state, from below, and its relative decrease with fewer polynomials.
-    subroutine conductance_by_panels(conduction, load, kappa, conductance, reached, error)
+    subroutine conductance_by_panels(conduction, load, law, conductance, reached, error)
         type(conduction_t), intent(in) :: conduction
         type(contact_load_t), intent(in) :: load
-        !> > 0: area resistance times pressure [modulus length^2/conductance]
-        real(wp), intent(in) :: kappa
+        class(rough_law_t), intent(in) :: law
         !> [conductance]
         real(wp), intent(out) :: conductance
         real(wp), intent(out) :: reached
@@ -74,13 +74,13 @@ contains
         n = nodes*panels%number()
         allocate (t(n), weight(n), resistance(n))
         call place_nodes(panels, t, weight, error)
-        if (.not. allocated(error)) call resistances(panels, load, t, resistance, error)
+        if (.not. allocated(error)) call resistances(panels, load, law, t, resistance, error)
         if (allocated(error)) return
         n = panels%size_with(degree)
         allocate (matrix(n, n), f(n, 1))
         call fill_springs(panels, conduction, load%state%radius, matrix, f(:, 1), error)
         if (.not. allocated(error)) then
-            call add_resistance(panels, t, load%state%radius**2*kappa*weight*t*resistance, matrix, error)
+            call add_resistance(panels, t, load%state%radius**2*law%scale*weight*t*resistance, matrix, error)
         end if
         if (allocated(error)) return
         scaling = [(1.0_wp/sqrt(matrix(i, i)), i=1, n)]
@@ -235,10 +235,11 @@ contains
         end do
     end subroutine place_nodes
 
-    !> 1/p at the nodes; q may differ from 0 at the edge where p is infinite there.
-    subroutine resistances(self, load, t, values, error)
+    !> R_c/scale at the nodes; q may differ from 0 at the edge where p is infinite there.
+    subroutine resistances(self, load, law, t, values, error)
         type(panels_t), intent(inout) :: self
         type(contact_load_t), intent(in) :: load
+        class(rough_law_t), intent(in) :: law
         real(wp), intent(in) :: t(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
@@ -250,13 +251,14 @@ contains
         if (allocated(error)) return
         if (.not. all(pressure > 0.0_wp)) then
             call raise(error, error_domain, "the pressure of this contact is not greater than 0 everywhere: a conductance "// &
-                       "proportional to it is not defined")
+                       "that depends on it is not defined")
             return
         end if
         power = log(pressure(2)/pressure(1))/log(2.0_wp)
         if (power < singular) self%first = 1
-        values = 1.0_wp/pressure(3:)
-        where (t < from_edge) values = values*(from_edge/t)**power
+        where (t < from_edge) pressure(3:) = pressure(3:)*(t/from_edge)**power
+        call law%check(maxval(pressure(3:)), error)
+        if (.not. allocated(error)) values = 1.0_wp/law%conductance(pressure(3:))
     end subroutine resistances
 
     !> A of the bodies, and f.
