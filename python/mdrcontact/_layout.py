@@ -717,6 +717,8 @@ POINTERS = {
     "conduction_admittance": (0,),
     "conduction_follow": (0, 4),
     "conduction_rough": (0, 1),
+    "conduction_joint_resistance": (0,),
+    "conduction_joint": (0, 1),
     "conduction_along": (0, 1),
     "conduction_heat": (0, 1),
     "conduction_heat_field": (0, 1),

@@ -126,6 +126,38 @@ int mdr_conduction_rough(const mdr_conduction *p, const mdr_contact *c, const md
     return status;
 }
 
+int mdrcontact_entry_conduction_joint_resistance(const mdr_conduction *p, double roughness, double slope, double hardness,
+        double gas, double jump, int n, const double pressure[], double out[]);
+int mdr_conduction_joint_resistance(const mdr_conduction *p, double roughness, double slope, double hardness, double gas,
+        double jump, int n, const double pressure[], double out[])
+{
+    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n > 0 && !pressure) return mdrcontact_refuse_null("pressure");
+    if (n > 0 && !out) return mdrcontact_refuse_null("out");
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_joint_resistance(p, roughness, slope, hardness, gas, jump, n,
+        pressure, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_joint_resistance(p, roughness, slope, hardness, gas, jump, n, pressure, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_joint(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, double roughness,
+        double slope, double hardness, double gas, double jump, double *out);
+int mdr_conduction_joint(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, double roughness, double slope,
+        double hardness, double gas, double jump, double *out)
+{
+    if (!state) return mdrcontact_refuse_null("state");
+    if (!out) return mdrcontact_refuse_null("out");
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_joint(p, c, state, roughness, slope, hardness, gas, jump, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_joint(p, c, state, roughness, slope, hardness, gas, jump, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_conduction_along(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[],
         double conductance[], double by_force[], double by_depth[]);
 int mdr_conduction_along(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[], double conductance[],

@@ -12,7 +12,8 @@ module mdrcontact_api_conduction_entries
     use mdrcontact_conduction_bodies, only: conduction_t, new_conduction
     use mdrcontact_conduction_conductors, only: conductors_t
     use mdrcontact_conduction_fields, only: conductance_at
-    use mdrcontact_conduction_rough, only: rough_conductance
+    use mdrcontact_conduction_rough, only: joint_conductance, rough_conductance
+    use mdrcontact_conduction_rough_law, only: micro_resistance
     use mdrcontact_conduction_table, only: tabulate_conductance
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
@@ -26,6 +27,8 @@ module mdrcontact_api_conduction_entries
     public :: mdr_conduction_admittance
     public :: mdr_conduction_follow
     public :: mdr_conduction_rough
+    public :: mdr_conduction_joint_resistance
+    public :: mdr_conduction_joint
     public :: mdr_conduction_along
 
 contains
@@ -189,6 +192,53 @@ contains
         if (allocated(error)) return
         if (present(out)) out = out_value
     end function mdr_conduction_rough
+
+    function mdr_conduction_joint_resistance(p, roughness, slope, hardness, gas, jump, n, pressure, out) result(status) &
+        bind(C, name="mdrcontact_entry_conduction_joint_resistance")
+        type(c_ptr), value :: p
+        real(c_double), value :: roughness, slope, hardness, gas, jump
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: pressure(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(conduction_t), pointer :: p_inside
+        real(c_double), allocatable :: out_values(:)
+        type(error_t), allocatable :: error
+
+        call open_handle(p, "p", p_inside, error)
+        call make_room(error, n, out_values)
+        if (.not. allocated(error) .and. n > 0) then
+            call micro_resistance(p_inside, roughness, slope, hardness, gas, jump, pressure(:n), out_values, error)
+        end if
+        if (.not. allocated(error)) call check_results(error, out_values)
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(out)) out(:n) = out_values
+    end function mdr_conduction_joint_resistance
+
+    function mdr_conduction_joint(p, c, state, roughness, slope, hardness, gas, jump, out) result(status) &
+        bind(C, name="mdrcontact_entry_conduction_joint")
+        type(c_ptr), value :: p, c
+        type(contact_state_t), intent(in), optional :: state
+        real(c_double), value :: roughness, slope, hardness, gas, jump
+        real(c_double), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(conduction_t), pointer :: p_inside
+        type(contact_t), pointer :: c_inside
+        real(c_double) :: out_value
+        type(error_t), allocatable :: error
+
+        call open_handle(p, "p", p_inside, error)
+        call open_handle(c, "c", c_inside, error)
+        out_value = 0.0_c_double
+        if (.not. allocated(error)) then
+            call joint_conductance(p_inside, c_inside, state, roughness, slope, hardness, gas, jump, out_value, error)
+        end if
+        if (.not. allocated(error)) call check_results(error, [out_value])
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(out)) out = out_value
+    end function mdr_conduction_joint
 
     function mdr_conduction_along(p, c, n, states, conductance, by_force, by_depth) result(status) &
         bind(C, name="mdrcontact_entry_conduction_along")
