@@ -78,6 +78,7 @@ def fits():
         np.interp(np.arange(0, 24, 0.1), np.arange(24), h), np.interp(np.arange(0, 24, 0.1), np.arange(24), h**1.5)
     )
     profile = mdi.modulus_at_depths(csm, BALL, FILM, ["coating.E"])
+    composite = mdi.composite_hardness(np.arange(1.0, 8.0), 1.0 + 1.0 / np.arange(1.0, 8.0))
     time = np.linspace(0.0, 1.0, 9)
     omega = np.geomspace(1.0, 10.0, 5)
     end = mdi.Move("up to depth 5 nm", 5e-9, 7e10, 1e9)
@@ -110,6 +111,8 @@ def fits():
         ranking.models[0],
         failed,
         profile,
+        composite,
+        composite.forms["korsunsky"],
         mdi.oliver_pharr(csm, BALL),
         mdi.as_prior(result),
     ]

@@ -4,6 +4,7 @@
 from .between import MeanOfTests, mean_of_tests
 from .calibration import as_prior
 from .compare import ModelRanking, RankedModel, compare_models
+from .composite_hardness import CompositeHardness, HardnessForm, composite_hardness
 from .conduction import ConductanceForce, ConductionFit, Impedance, fit_conduction
 from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius, UnloadingPoint
 from .depth_profile import DepthProfile, modulus_at_depths
@@ -52,6 +53,9 @@ __all__ = [
     "as_prior",
     "modulus_at_depths",
     "DepthProfile",
+    "composite_hardness",
+    "CompositeHardness",
+    "HardnessForm",
     "Misfit",
     "Indent",
     "find_moves",
