@@ -11,7 +11,7 @@ from conftest import PUBLIC, ROOT, run
 import mdrcontact as mdr
 
 PACKAGE = ROOT / "python" / "mdrcontact"
-ORDER = ("contact", "panels", "problem", "instruments", "studies", "cli")
+ORDER = ("contact", "panels", "problem", "instruments", "studies", "app", "cli")
 """A room imports its own files and the rooms before it. What has none of these names is of the room "contact"."""
 BESIDE = ("validation", "interop")
 """These import any room; only `ENTRIES` and themselves import them."""

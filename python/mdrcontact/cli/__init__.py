@@ -15,6 +15,7 @@ from ..errors import MDRError
 from ..problem import ProblemError
 from . import (
     adhesion,
+    app,
     calibrate,
     compare,
     conduction,
@@ -53,6 +54,7 @@ COMMANDS = (
     example,
     map_,
     validate,
+    app,
 )
 """Each command is a module with its name, HELP, `add_arguments(parser)` and `run(arguments)`, and a text help/<name>.txt."""
 _FORMAT = argparse.RawDescriptionHelpFormatter

@@ -17,7 +17,7 @@ from ..instruments.reading.asylum import is_second
 from ..instruments.reading.cells import SHEETS
 from ..panels import Figure, matplotlib
 from ..problem import ProblemError
-from ..problem.toml import parse_file
+from ..problem.toml import parse_file, text_of
 
 DATA_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".hld", *SHEETS, *afm.SUFFIXES)
 """File extensions of measurements."""
@@ -81,9 +81,29 @@ def _read_by(arguments: argparse.Namespace) -> list[Path]:
     """Return the files that the command reads, by its arguments and its problem file."""
     data, problem = getattr(arguments, "data", []), Path(arguments.problem)
     given = [problem, *(data if isinstance(data, list) else [data])]
-    with suppress(ProblemError):  # reported where it is read
-        given += [problem.parent / name for name in _named_in(parse_file(problem))]
+    given += named_by(problem).values()
     return [path for one in given for path in ([p for p in one.iterdir() if _may_be_data(p)] if one.is_dir() else [one])]
+
+
+def named_by(problem: Path) -> dict[str, Path]:
+    """Return the files that a problem file names, by their names there."""
+    with suppress(ProblemError):  # reported where it is read
+        return {name: problem.parent / name for name in _named_in(parse_file(problem))}
+    return {}
+
+
+def first(path: Path | None) -> tuple[str, dict[str, Path]]:
+    """Return the text of a problem file that a page shows first, and the files that it may open; of data these alone."""
+    if path is None:
+        return "", {}
+    if not path.is_file():
+        raise ProblemError(f"{path}: there is no such file. Name a problem file, or a file of measurements.")
+    if path.suffix.lower() != ".toml":
+        return "", {path.name: path}
+    try:
+        return text_of(path), named_by(path)
+    except ProblemError as problem:
+        raise ProblemError(f"{path}: {problem}") from problem
 
 
 def _named_in(table: Mapping[str, Any]) -> Iterator[str]:

@@ -24,34 +24,37 @@ _LARGEST = 10_000_000
 
 def parse_file(path: Path) -> dict[str, Any]:
     """Return the tables of a file of the user. The message of an error does not contain its name."""
+    return parse_text(text_of(path))
+
+
+def text_of(path: Path) -> str:
+    """Return the text of a file of the user."""
     try:
         with path.open("rb") as file:
             content = file.read(_LARGEST + 1)  # a device has no end
     except (OSError, ValueError) as problem:
         raise ProblemError(f"it cannot be read: {reason_of(problem)}") from problem
-    return parse_bytes(content)
+    return _text(content)
 
 
 def parse_named(file: NamedFile) -> dict[str, Any]:
     """Return the tables of a file that a problem names. No error repeats its contents."""
     content = file.content()
     try:
-        return parse_bytes(content)
+        return parse_text(_text(content))
     except ContentError as problem:
         raise ProblemError(f"{file.path}: {problem.without}") from None
     except ProblemError as problem:
         raise ProblemError(f"{file.path}: {problem}") from problem
 
 
-def parse_bytes(content: bytes) -> dict[str, Any]:
-    """Return the tables of the contents of a file."""
+def _text(content: bytes) -> str:
     if len(content) > _LARGEST:
         raise ProblemError(f"it has more than {_LARGEST // 1_000_000} MB, too large for a problem file. Name another file.")
     try:
-        text = content.decode("utf-8")
+        return content.decode("utf-8")
     except UnicodeDecodeError as problem:
         raise ProblemError("it is not a text file in UTF-8. Save it in UTF-8.") from problem
-    return parse_text(text)
 
 
 def parse_text(text: str) -> dict[str, Any]:
