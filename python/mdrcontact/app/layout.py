@@ -1,17 +1,45 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The layout of the page."""
+"""The layout of the page: header, alert, and a form beside its results for each tab."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from dash import html
+import dash_bootstrap_components as dbc
+from dash import Dash, Input, Output, html
 
+from .. import __version__
+from . import design, measure
 from .session import Session
 
-TABS: tuple[Any, ...] = ()
+_PAGES = {"Design": design, "Measure": measure}
 
 
-def layout(_session: Session) -> Any:
+def layout(session: Session) -> Any:
     """Return the whole page."""
-    return html.Main(html.H1("mdrcontact"))
+    first = "Measure" if measure.is_mine(session.text) else "Design"
+    return html.Div(
+        [
+            html.Header([html.H1("mdrcontact"), tabs("page", [*_PAGES], first, "pages"), html.Small(f"version {__version__}")]),
+            html.Main([html.Section(page.layout(session), id=f"{name}-page") for name, page in _PAGES.items()]),
+        ]
+    )
+
+
+def tabs(name: str, words: list[str], first: str, label: str) -> Any:
+    """Return tabs that the arrows change; the page remembers the chosen one while it is open."""
+    buttons = dbc.RadioItems(words, first, id=name, inline=True, persistence=True, persistence_type="session")
+    return html.Nav(html.Fieldset([html.Legend(label, className="unseen"), buttons]), className="tabs")
+
+
+class _Tabs:
+    """The callback of the tabs of the header."""
+
+    @staticmethod
+    def register(dash: Dash, _session: Session) -> None:
+        """Show the page that is chosen."""
+        shown = [Output(f"{name}-page", "hidden") for name in _PAGES]
+        dash.callback(*shown, Input("page", "value"))(lambda chosen: [name != chosen for name in _PAGES])
+
+
+TABS: tuple[Any, ...] = (_Tabs, design, measure)

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The text of a problem file on the page, and its form. The browser keeps both, with the texts before, while its window is open."""
+
+from __future__ import annotations
+
+import base64
+from typing import Any
+
+from dash import ALL, Dash, Input, Output, State, ctx, dcc, html, no_update
+from dash.exceptions import PreventUpdate
+
+from ..errors import MDRError
+from ..problem.field import Table
+from .form import acted, edited, form, path_of
+from .session import Session
+
+TEXT = "#text"
+"""Path of the input that has the whole text."""
+_MOST = 50
+"""Texts that can be undone."""
+
+
+def stores(name: str) -> list[Any]:
+    """Return what keeps the text, its refusal, and the structure of the form that is drawn."""
+    kept = dcc.Store(id=name, storage_type="session")
+    return [kept, dcc.Store(id=f"{name}-drawn"), dcc.Store(id=f"{name}-where"), dcc.Download(id=f"{name}-file")]
+
+
+def head(name: str, title: str) -> Any:
+    """Return the buttons above a form."""
+    undo = html.Button("Undo", id={"form": name, "act": "undo"}, title="Alt+Z", accessKey="z", n_clicks=0, type="button")
+    save = html.Button("Save", id=f"{name}-save", title="download the problem file", n_clicks=0, type="button")
+    opened = html.Label([title, dcc.Upload("", id=f"{name}-open", multiple=True)], className="button")
+    return html.Div([opened, save, undo], className="buttons")
+
+
+def with_text(data: Any, text: str, by: str = "") -> dict[str, Any]:
+    """Return the state with another text; the old one can be undone."""
+    past = [*(data or {}).get("past", []), (data or {}).get("text")]
+    return {"text": text, "past": [one for one in past if one is not None][-_MOST:], "by": by}
+
+
+def register(dash: Dash, session: Session, name: str, root: Table, first: str, skip: tuple[str, ...] = ()) -> None:
+    """Let the form edit the text, and the text draw the form."""
+
+    @dash.callback(
+        Output(name, "data"),
+        Output(f"{name}-alert", "children", allow_duplicate=True),
+        Input({"form": name, "set": ALL}, "value"),
+        Input({"form": name, "act": ALL}, "n_clicks"),
+        State(name, "data"),
+        prevent_initial_call=True,
+    )
+    def change(_values: Any, _clicks: Any, data: Any) -> Any:
+        """Edit the text by the input or the button that was used."""
+        used, value = ctx.triggered_id, ctx.triggered[0]["value"]
+        if used is None or len(ctx.triggered) > 1 or value is None or ("act" in used and not value):
+            raise PreventUpdate  # the form was drawn
+        text = data["text"] if data else first
+        if used.get("act") == "undo":
+            past = (data or {}).get("past")
+            if not past:
+                raise PreventUpdate
+            return {"text": past[-1], "past": past[:-1], "by": ""}, ""
+        try:
+            new = value if used.get("set") == TEXT else _changed(root, text, used, value)
+        except MDRError as refusal:
+            return no_update, str(refusal)
+        if new == text:
+            raise PreventUpdate
+        return with_text(data, new, used.get("set", "")), no_update
+
+    @dash.callback(
+        Output(f"{name}-form", "children"), Output(f"{name}-drawn", "data"), Input(name, "data"), State(f"{name}-drawn", "data")
+    )
+    def draw(data: Any, drawn: Any) -> Any:
+        """Draw the form; after an input only if other rows belong to it, so that the focus stays."""
+        try:
+            rows = form(name, root, data["text"] if data else first, skip)
+        except MDRError:
+            raise PreventUpdate from None  # the text is no TOML, which the results say
+        structure = [str(one.id) for one in html.Div(rows)._traverse() if hasattr(one, "id")]
+        if data and data["by"] and data["by"] != TEXT and structure == drawn:
+            raise PreventUpdate
+        return rows, structure
+
+    @dash.callback(
+        Output({"form": name, "error": ALL}, "children"),
+        Input(f"{name}-where", "data"),
+        Input(f"{name}-drawn", "data"),
+        State({"form": name, "error": ALL}, "id"),
+    )
+    def mark(where: Any, _drawn: Any, ids: Any) -> Any:
+        """Show a refusal at its field."""
+        path, words = where or (None, "")
+        return [words if one["error"] == path else "" for one in ids]
+
+    @dash.callback(
+        Output(f"{name}-file", "data"), Input(f"{name}-save", "n_clicks"), State(name, "data"), prevent_initial_call=True
+    )
+    def save(_clicks: int, data: Any) -> Any:
+        """Download the problem file."""
+        return {"content": data["text"] if data else first, "filename": "problem.toml", "type": "application/toml"}
+
+
+def _changed(root: Table, text: str, used: Any, value: Any) -> str:
+    if "act" in used:
+        return acted(root, text, path_of(used["act"]))
+    return edited(root, text, path_of(used["set"]), str(value))
+
+
+def content_of(uploaded: str) -> bytes:
+    """Return the content of a file that was dropped."""
+    return base64.b64decode(uploaded.partition(",")[2])

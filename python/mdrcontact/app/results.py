@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Results on the page: numbers, sentences, figures and tables of a study, and its files."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Hashable
+from typing import Any, NamedTuple
+
+from dash import dcc, html, no_update
+
+from ..cli.table import as_csv, as_rows
+from ..errors import CancelledError, MDRError
+from ..panels import Figure, matplotlib, plotly
+from ..progress import Progress
+from ..studies.result import Result
+from .jobs import BusyError
+from .session import Session
+
+_SOON = 0.4
+"""Time in which most work ends, so that the page shows its result at once [s]."""
+_ROWS = 50
+_CONFIG = {"displayModeBar": False, "responsive": True}
+
+
+class Answer(NamedTuple):
+    """What a callback shows."""
+
+    result: Any = None
+    refusal: Exception | None = None
+    progress: tuple[float, float | None, str] | None = None
+
+
+def answer(session: Session, key: Hashable, what: str, work: Callable[[Progress], Any]) -> Answer:
+    """Return the result of a study; if it takes longer than a moment, its progress. Other work is cancelled."""
+    found, jobs = session.jobs.find(key), session.jobs
+    if found is not None:
+        return Answer(found)
+    job = jobs.latest
+    if job is None or job.key != key or not job.is_running:
+        if job is not None and job.is_running:
+            job.cancel()
+            job.wait()
+        try:
+            job = jobs.start(key, what, work)
+        except BusyError as refusal:  # a second page was faster
+            return Answer(refusal=refusal)
+    job.wait(_SOON)
+    if job.is_running:
+        return Answer(progress=job.done)
+    return Answer(job.result, job.problem)
+
+
+def panels(figure: Figure) -> Any:
+    """Return the drawings of a figure, as many beside each other as there is room."""
+    drawn = [
+        html.Figure(
+            [dcc.Graph(figure=one, config=_CONFIG, style={"height": "340px"}), html.Figcaption(_caption(panel), className="unseen")]
+        )
+        for one, panel in zip(plotly.draw(figure), figure.panels, strict=True)
+    ]
+    return html.Div(drawn, className="panels")
+
+
+def _caption(panel: Any) -> str:
+    return f"{panel.title}: {panel.y.title} over {panel.x.title}".removeprefix(": ")
+
+
+def report(found: Result, figure: Figure | None) -> list[Any]:
+    """Return numbers, warnings, notes, figure and tables of a study."""
+    numbers = [html.Div([html.Dt(name), html.Dd(str(number))]) for name, number in found.numbers.items()]
+    parts: list[Any] = [html.Dl(numbers, className="numbers")] if numbers else []
+    parts += [html.Ul([html.Li(words) for words in found.warnings], className="warnings")] if found.warnings else []
+    parts += [html.P(words, className="note") for words in found.notes.values()]
+    parts += [panels(figure)] if figure is not None and figure.panels else []
+    return [*parts, *(html.Details([html.Summary(f"table: {name}"), table(rows)]) for name, rows in found.tables.items())]
+
+
+def table(columns: Any, most: int = _ROWS) -> Any:
+    """Return a table with at most so many rows, spread over all."""
+    head, *rows = as_rows(columns, most)
+    count = len(columns[0].values)
+    note = [html.Caption(f"{len(rows)} of {count} rows; the CSV file has all")] if count > len(rows) else []
+    body = html.Tbody([html.Tr([html.Td(cell) for cell in row]) for row in rows])
+    return html.Div(
+        html.Table([*note, html.Thead(html.Tr([html.Th(cell, scope="col") for cell in head])), body]), className="table", tabIndex=0
+    )
+
+
+def written(found: Result, figure: Figure | None, what: str) -> Any:
+    """Return a file of a result for the download: "csv", or a format of a figure."""
+    if what == "csv":
+        return dcc.send_bytes(as_csv(next(reversed(found.tables.values()))), "result.csv")
+    return dcc.send_bytes(matplotlib.rendered(matplotlib.draw(figure), what), f"figure.{what}") if figure else no_update
+
+
+def words_of(refusal: Exception | None) -> str:
+    """Return a refusal as the alert has it."""
+    if refusal is None:
+        return ""
+    if isinstance(refusal, CancelledError):
+        return "The work was cancelled."
+    if isinstance(refusal, MDRError):
+        return str(refusal)
+    return f"This is a fault of mdrcontact, please report it: {type(refusal).__name__}: {refusal}"
+
+
+def progress(state: tuple[float, float | None, str] | None) -> list[Any]:
+    """Return what has been done."""
+    if state is None:
+        return []
+    done, total, what = state
+    bar = html.Progress(value=str(done), max=str(total), **{"aria-label": what}) if total else html.Progress(**{"aria-label": what})
+    return [bar, html.Span(f"{what} {done:g} of {total:g}" if total else what)]
+
+
+def place_of(refusal: Exception) -> list[str] | None:
+    """Return the path of the field that a refusal is about, and its words; None if it is about no field."""
+    found = re.match(r"\[([\w. ]+)\]: (?:entry \d+ of )?(?:the key ')?(\w+)", str(refusal))
+    if found is None:
+        return None
+    path = [part for step in found[1].split(".") for part in step.split(" ")]
+    steps = [str(int(step) - 1) if step.isdigit() else step for step in path]
+    return ["/".join([*steps, found[2]]), str(refusal)]
