@@ -61,7 +61,7 @@ def layout(session: Session) -> list[Any]:
     """Return the form and the results."""
     from .layout import tabs
 
-    choose = dbc.Select(id=f"{NAME}-example", options=[{"label": "choose one", "value": ""}, *examples()], value="")
+    choose = dbc.Select(id=f"{NAME}-example", options={"": "choose one", **{name: name for name in examples()}}, value="")
     example = html.Div([html.Label("example", htmlFor=f"{NAME}-example"), choose], className="row")
     left = html.Form(
         [editor.head(NAME, "Open"), example, html.Div(id=f"{NAME}-form")], className="form", **{"aria-label": "problem"}
@@ -120,7 +120,8 @@ def register(dash: Dash, session: Session) -> None:
             return no_update, "dimmed", "", None, no_update, False, False, results.progress(found.progress)
         if found.refusal is not None:
             words = results.words_of(found.refusal)
-            return no_update, "dimmed", words, results.place_of(found.refusal), "", True, True, []
+            old = [] if ctx.triggered_id == f"{NAME}-tab" else no_update
+            return old, "dimmed", words, results.place_of(found.refusal), "", True, True, []
         report = results.report(found.result, found.result.figure())
         return report, "", "", None, f"{tab} computed", True, True, []
 

@@ -85,15 +85,15 @@ def example(one: Field) -> Any:
     return [value] if one.many else value
 
 
-def start(table: Table, given: Values = {}) -> dict[str, Any]:
+def start(table: Table, given: Values | None = None) -> dict[str, Any]:
     """Return the values of a table that belong to it, with an example for each key that is missing."""
-    made = dict(given)
+    made = dict(given or {})
     for _ in range(3):  # what a word chooses belongs only then
         here = fields_of(table, made)
-        names = [one.name for one in here]
+        groups = [[one.name for one in here if one.name in group] for group in table.one_of]
         for one in here:
-            group = next(([key for key in group if key in names] for group in table.one_of if one.name in group), [one.name])
-            if one.required and group[0] == one.name and not any(key in made for key in group):
+            group = next((group for group in groups if one.name in group), [one.name])
+            if (one.required or group in groups) and group[0] == one.name and not any(key in made for key in group):
                 made[one.name] = example(one)
     names = [one.name for one in fields_of(table, made)]
     return {key: value for key, value in made.items() if any(key == name or _is_spelling(table, key, name) for name in names)}
