@@ -12,9 +12,10 @@ from dash.exceptions import PreventUpdate
 
 from .. import studies
 from ..cli.example import examples
-from ..problem import schema
+from ..problem import edit, schema
 from ..progress import Progress
 from . import editor, results
+from .form import dom_id
 from .results import Answer, answer
 from .session import Session
 
@@ -24,32 +25,38 @@ _FILE = "File"
 
 
 class Shown(NamedTuple):
-    """A tab of results: a study with its options."""
+    """A tab of results: a study, which has the name of its command, with its options."""
 
     study: Callable[..., Any]
     options: Mapping[str, Any] = {}
+    table: str = ""
+    """without which the study has nothing to compute"""
 
 
 STUDIES = {
     "Curves": Shown(studies.curve, {"pressures": True, "references": True}),
     "Models": Shown(studies.compare),
     "Stress": Shown(studies.stress, {"maps": True, "lines": True}),
-    "Adhesion": Shown(studies.adhesion),
-    "Friction": Shown(studies.friction, {"loops": True}),
-    "Wear": Shown(studies.wear),
-    "Time": Shown(studies.history),
-    "Heat": Shown(studies.conduction),
+    "Adhesion": Shown(studies.adhesion, table="adhesion"),
+    "Friction": Shown(studies.friction, {"loops": True}, "friction"),
+    "Wear": Shown(studies.wear, table="wear"),
+    "Time": Shown(studies.history, table="history"),
+    "Heat": Shown(studies.conduction, table="conduction"),
 }
 
 
 def computed(session: Session, text: str, tab: str) -> Answer:
     """Return what the study of a tab computes of a text, as its command does."""
-    study, options = STUDIES[tab]
+    study, options, _ = STUDIES[tab]
 
     def work(progress: Progress) -> Any:
         return study(session.problem(text), **options, progress=progress)
 
-    return answer(session, (tab, text), tab, work)
+    return answer(session, _key(text, tab), tab, work)
+
+
+def _key(text: str, tab: str) -> tuple[str, ...]:
+    return NAME, tab, text
 
 
 def first_text(session: Session) -> str:
@@ -116,14 +123,37 @@ def register(dash: Dash, session: Session) -> None:
         if tab == _FILE:
             return _file(text), "", "", None, "", True, True, []
         found = computed(session, text, tab)
+        old = [] if ctx.triggered_id == f"{NAME}-tab" else no_update
         if found.progress:
-            return no_update, "dimmed", "", None, no_update, False, False, results.progress(found.progress)
+            return old, "dimmed", "", None, no_update, False, False, results.progress(found.progress)
         if found.refusal is not None:
             words = results.words_of(found.refusal)
-            old = [] if ctx.triggered_id == f"{NAME}-tab" else no_update
             return old, "dimmed", words, results.place_of(found.refusal), "", True, True, []
         report = results.report(found.result, found.result.figure())
-        return report, "", "", None, f"{tab} computed", True, True, []
+        return (
+            [*report, results.files(NAME, f"mdrcontact {STUDIES[tab].study.__name__} problem.toml")],
+            "",
+            "",
+            None,
+            f"{tab} computed",
+            True,
+            True,
+            [],
+        )
+
+    @dash.callback(
+        Output(f"{NAME}-file", "data", allow_duplicate=True),
+        Input({"of": NAME, "get": ALL}, "n_clicks"),
+        State(NAME, "data"),
+        State(f"{NAME}-tab", "value"),
+        prevent_initial_call=True,
+    )
+    def get(clicks: Any, data: Any, tab: str) -> Any:
+        """Download a file of the result."""
+        found = session.jobs.find(_key(data["text"] if data else first, tab))
+        if found is None or not any(clicks):
+            raise PreventUpdate
+        return results.written(found, found.figure(), ctx.triggered_id["get"])
 
     @dash.callback(
         Output(NAME, "data", allow_duplicate=True),
@@ -140,5 +170,21 @@ def register(dash: Dash, session: Session) -> None:
 
 
 def _file(text: str) -> list[Any]:
-    area = dbc.Textarea(id={"form": NAME, "set": editor.TEXT}, value=text, debounce=True, spellCheck=False, className="text")
-    return [html.Label("problem file", htmlFor="x"), area]
+    """The text, and the same work as commands and in Python."""
+    own = {"form": NAME, "set": editor.TEXT}
+    area = dbc.Textarea(id=own, value=text, debounce=True, spellcheck=False, className="text")
+    tables = edit.value(text, (), {})
+    used = [one for one in STUDIES.values() if not one.table or one.table in tables]
+    lines = [f"mdrcontact {one.study.__name__} problem.toml --plot {one.study.__name__}.png" for one in used]
+    python = ["from mdrcontact import problem, studies", "", 'given = problem.load("problem.toml")']
+    for study, options, _ in used:
+        given = "".join(f", {name}={value}" for name, value in options.items())
+        python.append(f"{study.__name__} = studies.{study.__name__}(given{given})")
+    return [
+        html.Label("problem file", htmlFor=dom_id(own)),
+        area,
+        html.H2("The same as commands"),
+        html.Pre("\n".join(lines)),
+        html.H2("The same in Python"),
+        html.Pre("\n".join(python)),
+    ]

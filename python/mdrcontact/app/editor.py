@@ -11,7 +11,7 @@ from dash.exceptions import PreventUpdate
 
 from ..errors import MDRError
 from ..problem.field import Table
-from .form import acted, edited, form, path_of
+from .form import acted, edited, form, parts_of, path_of
 from .session import Session
 
 TEXT = "#text"
@@ -68,21 +68,35 @@ def register(dash: Dash, session: Session, name: str, root: Table, first: str, s
             return no_update, str(refusal)
         if new == text:
             raise PreventUpdate
-        return with_text(data, new, used.get("set", "")), no_update
+        by = "" if used.get("set") == TEXT else used.get("set") or used["act"]
+        return with_text(data, new, by), no_update
+
+    parts = {"form": name, "part": ALL}
 
     @dash.callback(
-        Output(f"{name}-form", "children"), Output(f"{name}-drawn", "data"), Input(name, "data"), State(f"{name}-drawn", "data")
+        Output(f"{name}-form", "children"),
+        Output(parts, "children"),
+        Output(f"{name}-drawn", "data"),
+        Input(name, "data"),
+        State(f"{name}-drawn", "data"),
+        State(parts, "id"),
     )
-    def draw(data: Any, drawn: Any) -> Any:
-        """Draw the form; after an input only if other rows belong to it, so that the focus stays."""
+    def draw(data: Any, drawn: Any, ids: Any) -> Any:
+        """Draw the form; after an input only the parts that have other rows, so that the focus stays."""
+        by = data["by"] if data else ""
         try:
-            rows = form(name, root, data["text"] if data else first, skip)
+            whole = form(name, root, data["text"] if data else first, skip, by)
         except MDRError:
             raise PreventUpdate from None  # the text is no TOML, which the results say
-        structure = [str(one.id) for one in html.Div(rows)._traverse() if hasattr(one, "id")]
-        if data and data["by"] and data["by"] != TEXT and structure == drawn:
-            raise PreventUpdate
-        return rows, structure
+        found = parts_of(whole)
+        structure = {path: own for path, (_, own) in found.items()}
+        kept = [no_update] * len(ids)
+        if not by or not drawn or structure[""] != drawn[""]:
+            return whole, kept, structure
+        changed = {path for path, own in structure.items() if drawn.get(path) != own}
+        inner = {path for path in changed for other in changed if path.startswith(f"{other}/")}
+        paths = [one["part"] for one in ids]
+        return no_update, [found[path][0].children if path in changed - inner else no_update for path in paths], structure
 
     @dash.callback(
         Output({"form": name, "error": ALL}, "children"),

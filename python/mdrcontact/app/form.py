@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
-from typing import Any
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any, NamedTuple
 
 import dash_bootstrap_components as dbc
 from dash import html
@@ -233,101 +233,143 @@ def _differing(text: str, place: Path, old: Values, new: Values) -> str:
     return text
 
 
-def form(name: str, root: Table, text: str, skip: tuple[str, ...] = ()) -> list[Any]:
-    """Return the components of a form. skip : tables that are shown elsewhere"""
-    return [*_inside(name, root, (), edit.value(text, ()), skip)]
+def form(name: str, root: Table, text: str, skip: tuple[str, ...] = (), used: str = "") -> Any:
+    """Return a form. skip : tables that are shown elsewhere; used : button that gets the focus again"""
+    return _Form(name, used).part((), root, edit.value(text, ()), skip)
 
 
-def _inside(name: str, table: Table, path: Path, values: Values, skip: tuple[str, ...] = ()) -> Iterator[Any]:
-    """The rows of a table: what is given or needed, then the rest behind a fold."""
-    more = []
-    if _is_material(table):
-        choices = (*_KINDS, _CRYSTAL) if len(path) > 1 else _KINDS
-        yield _row(name, (*path, _KIND), "kind of material", _select(name, (*path, _KIND), choices, material_kind(values)))
-    groups = {key: group for group in (*table.one_of, *table.at_most_one_of) for key in group}
-    here = [one for one in fields_of(table, values) if one.name not in skip]
-    names = {one.name for one in here}
-    for one in here:
-        key, value = spelled(one, table, values)
-        others = [other for other in groups.get(one.name, ()) if other in names]
-        if value is None and any(spelled(table.field(other), table, values)[1] is not None for other in others):
-            continue
-        if one.name in {key for group in table.one_of for key in group} and len(others) > 1:
-            if value is None and others[0] != one.name:
+def parts_of(drawn: Any) -> dict[str, tuple[Any, str]]:
+    """Return the parts of a form by their paths, each with what it shows apart from values and from the parts inside."""
+    found, own = {}, []
+
+    def visit(one: Any) -> None:
+        for child in one.children if isinstance(one.children, list) else [one.children]:
+            if isinstance(child, str):
+                own.append(child)
+            elif isinstance(getattr(child, "id", None), dict) and "part" in child.id:
+                found.update(parts_of(child))
+                own.append(str(child.id))
+            elif child is not None:
+                own.append(f"{getattr(child, 'id', '')}{getattr(child, 'options', '')}")
+                if hasattr(child, "children"):
+                    visit(child)
+
+    visit(drawn)
+    return {drawn.id["part"]: (drawn, "".join(own)), **found}
+
+
+class _Form(NamedTuple):
+    """Draws the tables of a form. What a word chooses is a part of its own, so that the word keeps the focus."""
+
+    name: str
+    used: str
+
+    def part(self, path: Path, table: Table, values: Values, skip: tuple[str, ...] = ()) -> Any:
+        """Return the rows of a table: what is given or needed, then the rest behind a fold."""
+        names = [one.name for one in fields_of(table, values) if one.name not in skip]
+        rows, more = [], []
+        for group in (*table.one_of, *table.at_most_one_of):
+            here = [key for key in group if key in names]
+            given = [key for key in here if spelled(table.field(key), table, values)[1] is not None]
+            if len(here) > 1 and given:
+                names = [key for key in names if key not in here or key in given]
+            elif len(here) > 1 and group in table.one_of:
+                names = [key for key in names if key not in here[1:]]
+        for one in fields_of(table, values):
+            if one.name not in names or _chooses(one.name, table):
                 continue
-            yield _row(name, (*path, _ONE), "given by", _select(name, (*path, _ONE), others, one.name))
-        if one.table is not None:
-            yield from _nested(name, one, (*path, one.name), value)
-            continue
-        own = _field(name, one, (*path, one.name), value)
-        if value is not None or one.required or (one.choices and one.default):
-            yield own
-        else:
-            more.append(own)
-    if more:
-        yield html.Details([html.Summary("further keys"), *more])
+            _, value = spelled(one, table, values)
+            place = (*path, one.name)
+            if one.table is not None:
+                rows += self.nested(one, place, value)
+            elif (
+                value is not None
+                or one.required
+                or (one.choices and one.default)
+                or any(one.name in group for group in table.one_of)
+            ):
+                rows.append(self.field(one, place, value))
+            else:
+                more.append(self.field(one, place, value))
+        rows += [html.Details([html.Summary("further keys"), *more])] if more else []
+        return html.Div(rows, id={"form": self.name, "part": "/".join(map(str, path))})
 
+    def inside(self, table: Table, path: Path, values: Values) -> list[Any]:
+        """Return the rows that choose what belongs to a table, and the part that they choose."""
+        rows = []
+        if _is_material(table):
+            kinds = (*_KINDS, _CRYSTAL)
+            rows.append(self.row((*path, _KIND), "kind of material", self.select((*path, _KIND), kinds, material_kind(values))))
+        here = fields_of(table, values)
+        for group in table.one_of:
+            names = [one.name for one in here if one.name in group]
+            if len(names) > 1:
+                given = next((key for key in names if spelled(table.field(key), table, values)[1] is not None), names[0])
+                rows.append(self.row((*path, _ONE), "given by", self.select((*path, _ONE), names, given)))
+        rows += [self.field(one, (*path, one.name), spelled(one, table, values)[1]) for one in here if _chooses(one.name, table)]
+        return [*rows, self.part(path, table, values)]
 
-def _nested(name: str, one: Field, path: Path, value: Any) -> Iterator[Any]:
-    title = one.name.replace("_", " ")
-    if one.name == "layer" or one.name in ("coating", "material") and path[-2:-1] in (("medium",), ("body",)):
-        yield _button(name, ("add", *path[:-1], "layer"), "+ layer on top")
-    if value is None and not one.required:
-        yield _button(name, ("add", *path), f"+ {title}", one.meaning)
-        return
-    words = [*one.choices, _CONSTANTS] if one.choices else []
-    for i, each in enumerate(value if one.many and isinstance(value, list) else [value]):
-        place = (*path, i) if one.many else path
-        rows = [*_inside(name, one.table, place, each or {})] if not isinstance(each, str) and one.table else []
-        if words:
-            rows.insert(
-                0,
-                _row(
-                    name, (*place, _OR), title, _select(name, (*place, _OR), words, each if isinstance(each, str) else _CONSTANTS)
-                ),
+    def nested(self, one: Field, path: Path, value: Any) -> Iterator[Any]:
+        """Yield the fieldset of a table, one for each of many, or the button that adds it."""
+        title, table = one.name.replace("_", " "), one.table
+        assert table is not None
+        if one.name in ("layer", "coating") or (one.name == "material" and path[-2] in ("medium", "body")):
+            yield self.button(("add", *path[:-1], "layer"), "+ layer on top")
+        if value is None and not one.required:
+            yield self.button(("add", *path), f"+ {title}", one.meaning)
+            return
+        for i, each in enumerate(value if one.many and isinstance(value, list) else [value]):
+            place = (*path, i) if one.many else path
+            rows = self.inside(table, place, each or {}) if not isinstance(each, str) else []
+            if one.choices:
+                words, given = (*one.choices, _CONSTANTS), each if isinstance(each, str) else _CONSTANTS
+                rows = [self.row((*place, _OR), title, self.select((*place, _OR), words, given)), *rows]
+            if not one.required or one.many or one.name == "coating":
+                gone = (*path[:-1], "layer", i) if one.name == "coating" else place
+                rows.append(self.button(("remove", *gone), f"remove {title}"))
+            yield html.Fieldset(
+                [html.Legend(f"{title} {i + 1}" if one.many else title, title=one.meaning), *rows, self.error(place)]
             )
-        if not one.required or one.many or one.name == "coating":
-            gone = (*path[:-1], "layer", i) if one.name == "coating" else place
-            rows.append(_button(name, ("remove", *gone), f"remove {title}"))
-        words_of = f"{title} {i + 1}" if one.many else title
-        yield html.Fieldset([html.Legend(words_of, title=one.meaning), *rows, _error(name, place)])
 
-
-def _field(name: str, one: Field, path: Path, value: Any) -> Any:
-    if (one.choices and not one.dimension) or one.is_boolean:
-        words = one.choices or ("true", "false")
+    def field(self, one: Field, path: Path, value: Any) -> Any:
+        """Return the row of a key."""
         default = shown(one.default) if one.default is not None else ""
-        given = shown(value) if value is not None else default
-        control = _select(name, path, words if default or value is not None and one.required else ("", *words), given)
-    else:
-        hint = shown(one.default) if one.default is not None else ""
-        control = dbc.Input(
-            id=id_of(name, "set", path), value="" if value is None else shown(value), placeholder=hint, debounce=True
-        )
-    return _row(name, path, one.meaning, control, one.name)
+        if (one.choices and not one.dimension) or one.is_boolean:
+            words = one.choices or ("true", "false")
+            words = words if default or one.required else ("", *words)
+            control = self.select(path, words, shown(value) if value is not None else default)
+        else:
+            given = "" if value is None else shown(value)
+            control = dbc.Input(id=id_of(self.name, "set", path), value=given, placeholder=default, debounce=True)
+        return self.row(path, one.meaning, control, one.name)
+
+    def select(self, path: Path, words: Iterable[str], given: str) -> Any:
+        """Return a choice; a word that is none of them is shown, too."""
+        options = [{"label": word or "not given", "value": word} for word in dict.fromkeys((*words, given))]
+        return dbc.Select(id=id_of(self.name, "set", path), options=options, value=given)
+
+    def row(self, path: Path, meaning: str, control: Any, key: str = "") -> Any:
+        """Return an input with its label and its error."""
+        words, _, rest = meaning.partition(";")
+        named = [words, html.Code(key)] if key not in ("", words) else words
+        label = html.Label(named, title=rest.strip(), htmlFor=dom_id(id_of(self.name, "set", path)))
+        return html.Div([label, control, self.error(path)], className="row")
+
+    def error(self, path: Path) -> Any:
+        """Return the place of an error."""
+        return html.Span(id=id_of(self.name, "error", path), className="error")
+
+    def button(self, path: Path, words: str, title: str = "") -> Any:
+        """Return a button; it has the focus if it was used."""
+        own = id_of(self.name, "act", path)
+        return html.Button(words, id=own, title=title, n_clicks=0, type="button", autoFocus=own["act"] == self.used)
 
 
-def _select(name: str, path: Path, words: Any, given: str) -> Any:
-    options = [{"label": word or "not given", "value": word} for word in dict.fromkeys((*words, given))]
-    return dbc.Select(id=id_of(name, "set", path), options=options, value=given)
+def _chooses(name: str, table: Table) -> bool:
+    """Whether other keys of a table depend on a word."""
+    return bool(table.field(name).choices) and any(name in one.when for one in table.fields)
 
 
-def _row(name: str, path: Path, meaning: str, control: Any, key: str = "") -> Any:
-    words, _, rest = meaning.partition(";")
-    label = html.Label(
-        [words, html.Code(key)] if key not in ("", words) else words, title=rest.strip(), htmlFor=_dom(id_of(name, "set", path))
-    )
-    return html.Div([label, control, _error(name, path)], className="row")
-
-
-def _error(name: str, path: Path) -> Any:
-    return html.Span(id=id_of(name, "error", path), className="error")
-
-
-def _button(name: str, path: Path, words: str, title: str = "") -> Any:
-    return html.Button(words, id=id_of(name, "act", path), title=title, n_clicks=0, type="button")
-
-
-def _dom(one: dict[str, str]) -> str:
+def dom_id(one: dict[str, str]) -> str:
     """Return the id of a component in the page."""
     return json.dumps(one, sort_keys=True, separators=(",", ":"))

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Sequence
 from typing import Any, NamedTuple
 
 from dash import dcc, html, no_update
@@ -85,6 +85,12 @@ def table(columns: Any, most: int = _ROWS) -> Any:
     return html.Div(
         html.Table([*note, html.Thead(html.Tr([html.Th(cell, scope="col") for cell in head])), body]), className="table", tabIndex=0
     )
+
+
+def files(page: str, command: str, names: Sequence[str] = ("csv", "png", "pdf", "svg")) -> Any:
+    """Return the buttons of the files of a result, and the command that computes the same."""
+    buttons = [html.Button(name, id={"of": page, "get": name}, n_clicks=0, type="button") for name in names]
+    return html.Div(["download ", *buttons, html.Code(command)], className="files")
 
 
 def written(found: Result, figure: Figure | None, what: str) -> Any:
