@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 import dash_bootstrap_components as dbc
-from dash import Dash, Input, Output, State, ctx, dcc, html, no_update
+from dash import ALL, Dash, Input, Output, State, ctx, dcc, html, no_update
 from dash.exceptions import PreventUpdate
 
 from .. import studies
@@ -123,7 +123,7 @@ def register(dash: Dash, session: Session) -> None:
         if tab == _FILE:
             return _file(text), "", "", None, "", True, True, []
         found = computed(session, text, tab)
-        old = [] if ctx.triggered_id == f"{NAME}-tab" else no_update
+        old: Any = [] if ctx.triggered_id == f"{NAME}-tab" else no_update
         if found.progress:
             return old, "dimmed", "", None, no_update, False, False, results.progress(found.progress)
         if found.refusal is not None:

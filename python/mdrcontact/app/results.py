@@ -116,7 +116,8 @@ def progress(state: tuple[float, float | None, str] | None) -> list[Any]:
     if state is None:
         return []
     done, total, what = state
-    bar = html.Progress(value=str(done), max=str(total), **{"aria-label": what}) if total else html.Progress(**{"aria-label": what})
+    name: dict[str, Any] = {"aria-label": what}
+    bar = html.Progress(value=str(done), max=str(total), **name) if total else html.Progress(**name)
     return [bar, html.Span(f"{what} {done:g} of {total:g}" if total else what)]
 
 
