@@ -14,6 +14,7 @@ from make_pictures import save
 
 from mdrcontact.instruments.files.fit_file import load_fit_file
 from mdrcontact.instruments.fitting import compare_models, fit, modulus_at_depths
+from mdrcontact.panels.matplotlib import draw
 
 DOCS = Path(__file__).resolve().parent
 CURVES = DOCS.parent / "examples" / "fit"
@@ -31,11 +32,11 @@ def main(folder: Path) -> None:
         data, _ = problem.read_data(path)
         arguments = (data, problem.indenter, problem.medium, problem.free)
         result = fit(*arguments, instrument=problem.instrument, **problem.options)
-        save(result.plot(), folder / f"fit_{name}.png")
+        save(draw(result.plot()), folder / f"fit_{name}.png")
     problem = load_fit_file(CURVES / "csm_on_oxide.toml")
     data, _ = problem.read_data(CURVES / "csm_on_oxide.csv")
     profile = modulus_at_depths(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument)
-    save(profile.plot(), folder / "fit_modulus_against_depth.png")
+    save(draw(profile.plot()), folder / "fit_modulus_against_depth.png")
     problem = load_fit_file(CURVES / "sphere_on_oxide.toml")
     data, _ = problem.read_data(CURVES / "sphere_on_oxide.csv")
     ranking = compare_models(data, problem.indenter, problem.medium, ["coating.E", "depth_offset"])

@@ -30,6 +30,7 @@ from PIL import Image
 import mdrcontact as mdr
 from mdrcontact.conduction import Conduction, Conductor, LayeredConductor
 from mdrcontact.instruments.files.fit_file import load_fit_file
+from mdrcontact.panels.matplotlib import draw
 
 BLUE, RED, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#7f7f7f"
 COLOURS = (BLUE, RED, GREEN, "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8B4513", "#7f7f7f", "#bcbd22")
@@ -340,8 +341,11 @@ def rate(quick: bool) -> Any:
         axes[0].plot(1e6 * curve.position[: curve.count], 1e6 * model, color=colour, label=f"{1e6 * curve.speed:g} µm/s")
     axes[0].set(xlabel="position of the spring's end [µm]", ylabel="force [µN]", title="retraction, joint fit")
     axes[0].legend(frameon=False)
-    fit.plot(axes[1], points=8 if quick else 40)
-    axes[1].set(xlabel="retraction speed [m/s]", ylabel="pull-off force [N]", title="pull-off")
+    panel = fit.plot(points=8 if quick else 40).panels[0]
+    for part in panel.parts:
+        axes[1].loglog(part.x, part.y, part.marker or "-", label=part.name)
+    axes[1].set(xlabel=panel.x.title, ylabel=panel.y.title, title="pull-off")
+    axes[1].legend(frameon=False)
     for axis in axes:
         axis.spines[["top", "right"]].set_visible(False)
     return figure
@@ -418,9 +422,7 @@ def tutorial_indent(quick: bool) -> Any:
     _, folder = _reader_of("tutorial-nanoindentation.md")
     problem = load_fit_file(folder / "film.toml")
     data, _ = problem.read_data(folder / "indent.txt")
-    return mdr.instruments.fit(
-        data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options
-    ).plot()
+    return draw(mdr.instruments.fit(data, **problem.arguments).plot())
 
 
 def tutorial_afm(quick: bool) -> Any:

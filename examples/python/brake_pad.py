@@ -12,7 +12,6 @@ import numpy as np
 
 import mdrcontact as mdr
 from mdrcontact import lateral, studies
-from mdrcontact.panels.matplotlib import draw
 from mdrcontact.problem import MapProblem
 
 RESIN = mdr.Elastic(4e9, 0.36)
@@ -89,7 +88,7 @@ def main() -> None:
         f"lateral force up to {np.abs(moved.lateral_force).max() * 1e3:.3f} mN, mean {moved.lateral_force.mean() * 1e3:.1e} mN"
     )
 
-    draw(found.figure()).savefig("brake_pad.png")
+    found.figure().save("brake_pad.png")
     print("written: brake_pad.png")
 
 

@@ -6,13 +6,13 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, failure, poroelastic
-from ._boundary import ComplexOrArray, FloatOrArray, Handle, evaluate_all, native, number, record, row
+from ._boundary import ComplexOrArray, FloatOrArray, Handle, evaluate_all, native, number, record, row, whole
 from ._choices import code
 from ._state_warnings import Reported, StateWarnings
 from ._value import Value
@@ -27,9 +27,14 @@ from .progress import Progress
 from .state import State, States, state_of
 from .time import History, dynamic_stiffness, history, refuse_drainage, step
 
+if TYPE_CHECKING:
+    from .panels import Figure
+
 __all__ = ["Contact", "State", "States"]
 
 Table = tuple[tuple[float, ...], tuple[float, ...]]
+_INSIDE = 1e-9
+"""Distance of a curve from pull-off, as a part of its depths."""
 
 
 @dataclass(frozen=True)
@@ -167,6 +172,44 @@ class Contact(Value):
             The depth is not finite, or the body relaxes and has no states.
         """
         return self._states("depth", _layout.DEPTH, depth, branch)
+
+    def plot(self, largest_depth: float, points: int = 100) -> Figure:
+        """Return force, contact radius and stiffness over depth as a figure.
+
+        Numbers are taken as SI.
+
+        Parameters
+        ----------
+        largest_depth : float
+            End of the curve, > 0 [length]. With adhesion it begins at pull-off.
+        points : int, optional
+            Number of depths, at least 2.
+
+        Returns
+        -------
+        Figure
+            The figure.
+
+        Raises
+        ------
+        InvalidArgumentError
+            A number is outside its range.
+
+        Examples
+        --------
+        >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(72e9, 0.17)))
+        >>> figure = contact.plot(100e-9)
+        >>> print(figure.panels[0].y.title, len(figure.panels[0].parts[0].x))
+        force F [mN] 100
+        """
+        from .panels import Figure, contacts
+
+        end, count = number("largest_depth", largest_depth), whole("points", points, 2)
+        if not end > 0.0:
+            raise InvalidArgumentError(f"largest_depth = {largest_depth!r}: it must be positive")
+        lowest = float(self.pull_off("depth").depth)
+        begin = lowest + _INSIDE * (end - lowest) if lowest < 0.0 else end / count
+        return Figure("Contact", tuple(contacts.over_depth(self.at_depth(np.linspace(begin, end, count)))), columns=3)
 
     @overload
     def at_force(self, force: float, branch: str = "unloading") -> State: ...

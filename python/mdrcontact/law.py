@@ -23,6 +23,7 @@ from .loop import BRANCHES
 
 if TYPE_CHECKING:
     from .conduction import Conduction
+    from .panels import Figure
 
 _UNLOADING = BRANCHES["unloading"]
 _state: Any = tuple.__new__
@@ -437,6 +438,33 @@ class ContactLaw(LawSteps):
         law._own(native.law_with_radius(self._handle, number("radius", radius)))
         law.warnings = self.warnings
         return law
+
+    def plot(self, points: int = 200) -> Figure:
+        """Return force, contact radius and stiffness over depth as a figure.
+
+        Numbers are taken as SI.
+
+        Parameters
+        ----------
+        points : int, optional
+            Number of depths, at least 2.
+
+        Returns
+        -------
+        Figure
+            The figure.
+
+        Examples
+        --------
+        >>> contact = mdr.Contact(mdr.Paraboloid(10e-3), mdr.Homogeneous(mdr.Elastic(210e9, 0.3)))
+        >>> figure = mdr.ContactLaw(contact, 10e-6).plot()
+        >>> [panel.y.unit for panel in figure.panels]
+        ['N', '\u00b5m', 'MN/m']
+        """
+        from .panels import Figure, contacts
+
+        states = self.at_depth(np.linspace(*self.depth_range, whole("points", points, 2)))
+        return Figure("Contact law", tuple(contacts.over_depth(states)), columns=3)
 
     @property
     def depth_range(self) -> tuple[float, float]:

@@ -6,7 +6,7 @@ See theory/paper.md (5.1).
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,9 @@ from ._boundary import Handle, call, native, number, record, whole, words_of
 from ._choices import code
 from ._warn import Warned
 from .errors import ArgumentTypeError
+
+if TYPE_CHECKING:
+    from .panels import Figure
 
 RULES = words_of(_layout.ADHESION_AUTOMATIC, _layout.ADHESION_PAPER, _layout.ADHESION_ENERGY)
 """Names and codes of the adhesion rules."""
@@ -91,39 +94,19 @@ class Loop(_LoopNumbers, Warned):
     2 8.559e-13
     """
 
-    def plot(self, axes: Any = None, **look: Any) -> Any:
-        """Draw force against position with matplotlib; jumps are dotted.
+    def plot(self) -> Figure:
+        """Return force and contact radius along the cycle as a figure; jumps are dotted.
 
-        The abscissa is the depth under force control.
-
-        Parameters
-        ----------
-        axes : matplotlib.axes.Axes, optional
-            Axes to draw on; None makes a new figure.
-        **look
-            Arguments of `axes.plot`.
+        The abscissa is the position of the spring's end, or the depth without a spring. Numbers are taken as SI.
 
         Returns
         -------
-        matplotlib.axes.Axes
-            The axes.
+        Figure
+            The figure.
         """
-        if axes is None:
-            import matplotlib.pyplot as plt
+        from .panels import Figure, contacts
 
-            axes = plt.figure(layout="constrained").add_subplot()
-            axes.set_ylabel("force F")
-            axes.set_xlabel("end of the spring d + F/K" if self.control == "spring" else "depth d")
-        x = self.position if self.control == "spring" else self.depth
-        pieces = [slice(i, j) for i, j in zip([0, *(self.jumps + 1)], [*(self.jumps + 1), len(x)], strict=True)]
-        label = look.pop("label", None)
-        (line,) = axes.plot(x[pieces[0]], self.force[pieces[0]], label=label, **look)
-        look["color"] = line.get_color()
-        for piece in pieces[1:]:
-            axes.plot(x[piece], self.force[piece], **look)
-        for i in self.jumps:
-            axes.plot(x[i : i + 2], self.force[i : i + 2], **{**look, "linestyle": ":", "linewidth": 1.0})
-        return axes
+        return Figure("Approach and retraction", contacts.of_loop(self))
 
 
 def pull_offs(contact: Any, control: str) -> PullOff:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,6 +18,9 @@ from ._warn import Caution, is_collected, is_silent, texts_of, warn_all
 from .errors import ArgumentTypeError, MDRError, SlipInsideWarning
 from .medium import Homogeneous
 from .state import State, state_of
+
+if TYPE_CHECKING:
+    from .panels import Figure
 
 _INSIDE = np.array([0.01, 0.3, 0.6, 0.9])
 """Radii, in stick radii, at which traction and pressure are compared."""
@@ -123,29 +126,19 @@ class FrictionLoop(NamedTuple):
         """Warnings about the cycle; empty if there are none."""
         return self.turn.warnings
 
-    def plot(self, axes: Any = None, **look: Any) -> Any:
-        """Draw the tangential force against the shift with matplotlib.
+    def plot(self) -> Figure:
+        """Return the tangential force against the shift as a figure.
 
-        Parameters
-        ----------
-        axes : matplotlib.axes.Axes, optional
-            Axes to draw on; None makes a new figure.
-        **look
-            Arguments of `axes.plot`.
+        Numbers are taken as SI.
 
         Returns
         -------
-        matplotlib.axes.Axes
-            The axes.
+        Figure
+            The figure.
         """
-        if axes is None:
-            import matplotlib.pyplot as plt
+        from .panels import Figure, contacts
 
-            axes = plt.figure(layout="constrained").add_subplot()
-            axes.set_xlabel("twist phi" if self.around else "shift s")
-            axes.set_ylabel("torque M" if self.around else "tangential force T")
-        axes.plot(self.shift, self.tangential_force, **look)
-        return axes
+        return Figure("A cycle of twist" if self.around else "A cycle of shift", (contacts.of_cycle(self),))
 
 
 @dataclass(frozen=True)

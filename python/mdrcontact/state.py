@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, fields
 from functools import partial
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,6 +18,9 @@ from ._warn import texts_of
 from .critical import Critical
 from .errors import ArgumentTypeError
 from .interior import BODIES, Interior
+
+if TYPE_CHECKING:
+    from .panels import Figure
 
 _DISPLACEMENTS = {"lower": _layout.DISPLACEMENT_LOWER, "upper": _layout.DISPLACEMENT_UPPER}
 
@@ -130,6 +133,31 @@ class State:
         """
         values = dict(zip(NAMES, self._rows().reshape(-1, len(NAMES)).T, strict=True)) | {"slope": np.ravel(self.slope)}
         return Columns({name: np.array(values[name]) for name in Columns.units})
+
+    def plot(self) -> Figure:
+        """Return pressure and displaced surface as a figure.
+
+        The figure of several states shows force, contact radius and stiffness over depth. Numbers are taken as SI.
+
+        Returns
+        -------
+        Figure
+            The figure.
+
+        Raises
+        ------
+        InvalidArgumentError
+            One state is without contact.
+
+        Examples
+        --------
+        >>> contact = mdr.Contact(mdr.Paraboloid(1e-5), mdr.Homogeneous(mdr.Elastic(72e9, 0.17)))
+        >>> contact.at_depth(1e-8).plot().title
+        'd = 10 nm, F = 312.46 uN, a = 316.23 nm'
+        """
+        from .panels import contacts
+
+        return contacts.of_state(self)
 
     def pressure(self, r: ArrayLike) -> FloatOrArray:
         """Return the contact pressure p(r), equation (6).

@@ -158,7 +158,8 @@ def test_sharp_and_flat_indenters_draw_too(problem, shape, compute):
 def test_a_single_state_is_seen(problem, monkeypatch):
     pytest.importorskip("matplotlib")
     drawn = []
-    monkeypatch.setattr("mdrcontact.cli.files._rendered", lambda figure, _: drawn.append(figure) or b"")
+    monkeypatch.setattr("mdrcontact.panels.matplotlib.draw", lambda figure: drawn.append(figure))
+    monkeypatch.setattr("mdrcontact.panels.matplotlib.rendered", lambda drawn, form: b"")
     Path(problem).write_text(GOOD.replace('max_depth = "100 nm"\npoints = 4', 'forces = ["2 mN"]'), encoding="utf-8")
     for command in ("curve", "compare"):
         assert main([command, problem, "--plot", f"{command}.png"]) == 0

@@ -34,7 +34,7 @@ def fitted():
 
 @pytest.fixture(params=["law", "json", "plot"])
 def writer(request, law, fitted):
-    return {"law": law.save, "json": fitted.to_json, "plot": fitted.plot}[request.param]
+    return {"law": law.save, "json": fitted.to_json, "plot": fitted.plot().save}[request.param]
 
 
 @contextlib.contextmanager

@@ -143,8 +143,8 @@ def test_dynamic_stiffness_of_a_layered_body():
     within(result, truth)
     assert result.describes_data
     figure = result.plot()
-    assert figure.axes[0].get_xscale() == "log"
-    assert {"storage", "loss"} <= {text.get_text() for text in figure.axes[0].texts}
+    assert all(panel.x.log for panel in figure.panels) and figure.panels[0].y.log
+    assert [part.name for part in figure.panels[0].parts] == ["data", "fit (exact), storage", "fit (exact), loss"]
 
 
 def test_bad_input():

@@ -210,9 +210,9 @@ def test_practical_units_and_names():
     found = result.to_dict()["parameters"]
     assert found["coating.E"]["unit"] == "Pa" and found["thickness"]["unit"] == "m"
     figure = result.plot()
-    assert figure.axes[0].get_ylabel() == "force [mN]"
-    assert figure.axes[1].get_xlabel() == "indentation depth [nm]"
-    assert "film modulus E" in figure.axes[0].get_title(loc="left")
+    assert figure.panels[0].y.title == "force [mN]"
+    assert figure.panels[1].x.title == "indentation depth [nm]"
+    assert "film modulus E" in figure.title
 
 
 def test_a_contact_that_is_nowhere_is_named():

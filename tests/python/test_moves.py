@@ -40,7 +40,9 @@ def test_a_film_taken_for_a_half_space_moves():
     (line,) = found.summary()
     assert line.startswith("modulus E moves by -") and "with the fitted range" in line
     figure = found.plot()
-    assert figure.axes[0].get_xlabel() == "end of the range: depth [µm]" and figure.axes[0].get_ylabel() == "modulus E [kPa]"
+    (panel,) = figure.panels
+    assert (panel.x.title, panel.y.title) == ("end of the range: depth [µm]", "modulus E [kPa]")
+    assert 1e3 * panel.parts[0].y == pytest.approx(values, rel=1e-14)
 
 
 def test_branches_are_fitted_alone():

@@ -5,9 +5,10 @@ import numpy as np
 import pytest
 from conftest import ROOT
 
+import mdrcontact as mdr
 from mdrcontact import problem, studies
 from mdrcontact._units import LENGTH
-from mdrcontact.panels import Axis, Bars, Cells, Figure, Label, Line, Panel, Rule, along, cut, marked
+from mdrcontact.panels import Axis, Band, Bars, Cells, Figure, Label, Line, Panel, Rule, along, cut, marked
 
 pytest.importorskip("matplotlib")
 
@@ -28,6 +29,28 @@ def test_what_is_drawn_is_what_is_there():
     assert [text.get_text() for text in axis.get_legend().get_texts()] == ["model", "data"]
     assert {text.get_text() for text in axis.texts} == {"a = h", "here"}
     assert np.array_equal(axis.lines[0].get_ydata(), X**2)
+
+
+def test_names_of_vertical_rules_are_below_each_other():
+    rules = [Rule(1.0 + 1e-3 * i, vertical=True, name=f"contact point {i}") for i in range(3)]
+    drawn = draw(figure(Line(X, X), *rules))
+    drawn.canvas.draw()
+    boxes = [text.get_window_extent() for text in drawn.axes[0].texts]
+    assert not any(one.overlaps(other) for i, one in enumerate(boxes) for other in boxes[:i])
+
+
+def test_a_band_is_filled_and_a_warning_is_below_the_figure():
+    drawn = draw(figure(Band(X, -X, X, "error"))._replace(warnings=("the film yields",)))
+    assert drawn.axes[0].get_legend_handles_labels()[1] == ["error"]
+    assert drawn.get_supxlabel() == "the film yields" and not draw(figure()).get_supxlabel()
+
+
+def test_titles_of_any_length_are_in_the_figure():
+    drawn = draw(figure(Line(X, X))._replace(title="\n".join(["a film on a substrate " * 9, "E = 72 GPa"])))
+    drawn.canvas.draw()
+    box, whole = drawn._suptitle.get_window_extent(), drawn.bbox
+    assert whole.x0 <= box.x0 and box.x1 <= whole.x1
+    assert drawn.get_suptitle().splitlines()[-1] == "E = 72 GPa"
 
 
 def test_a_map_that_is_cut_off_has_arrows_and_a_quantity():
@@ -76,3 +99,11 @@ def test_a_study_has_the_numbers_of_its_figure():
     ]
     assert 1e-3 * force.parts[0].y == pytest.approx(found.states.force, rel=1e-15)
     assert modulus.x == Axis("a/h", log=True) and len(pressure.parts) == 3
+
+
+def test_a_figure_is_saved(tmp_path):
+    for form, begin in (("png", b"\x89PNG"), ("pdf", b"%PDF"), ("svg", b"<?xml")):
+        figure(Line(X, X)).save(tmp_path / f"figure.{form}")
+        assert (tmp_path / f"figure.{form}").read_bytes().startswith(begin)
+    with pytest.raises(mdr.errors.InvalidArgumentError, match=r"figure\.jpg: the name of a figure must end in \.png, \.pdf, \.svg"):
+        figure(Line(X, X)).save(tmp_path / "figure.jpg")

@@ -23,10 +23,15 @@ ENTRIES = {
 }
 """Files that name a room beyond their own, for its users."""
 LATE = {
+    ("contact.py", "panels"),
+    ("law.py", "panels"),
+    ("loop.py", "panels"),
+    ("sheared.py", "panels"),
+    ("state.py", "panels"),
     ("problem/section.py", "instruments"),
     ("problem/friction.py", "instruments"),
 }
-"""A path in [history] or [friction] stands in a table, which the reader of instruments reads."""
+"""`plot` of a contact makes a figure. A path in [history] or [friction] is in a table, which the reader of instruments reads."""
 
 
 def room(parts: tuple[str, ...]) -> str:

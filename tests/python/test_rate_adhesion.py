@@ -260,11 +260,10 @@ def test_fits_of_several_speeds():
 
 
 def test_a_fit_is_drawn():
-    pytest.importorskip("matplotlib").use("Agg")
     guess = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=RateAdhesion(0.05, 1e-6, 0.4))
-    axes = mdi.fit_rate(noisy_curves(0.01), guess, ["work"]).plot(points=4)
-    assert [len(line.get_xdata()) for line in axes.lines] == [3, 4]
-    axes.figure.clear()
+    fit, readings = mdi.fit_rate(noisy_curves(0.01), guess, ["work"]).plot(points=4).panels[0].parts
+    assert (len(fit.x), len(readings.x)) == (4, 3)
+    assert np.interp(readings.x, fit.x, fit.y) == pytest.approx(readings.y, rel=0.2)
 
 
 def test_fits_that_cannot_be():

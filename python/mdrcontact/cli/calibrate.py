@@ -46,6 +46,6 @@ def run(arguments: argparse.Namespace) -> None:
     files.write(
         arguments,
         output=found.tip_file,
-        plot=found.fit.plot,
+        plot=found.figure,
         report=lambda: found.fit.report(notes=notes, title=found.title),
     )

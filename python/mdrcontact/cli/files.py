@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import importlib
 import json
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -15,7 +16,7 @@ from .._files import check_place, replace
 from ..instruments.reading import afm
 from ..instruments.reading.asylum import is_second
 from ..instruments.reading.cells import SHEETS
-from ..panels import Figure, matplotlib
+from ..panels import matplotlib
 from ..problem import ProblemError
 from ..problem.toml import parse_file, text_of
 
@@ -69,10 +70,10 @@ def check_results(results: Sequence[Path], pictures: Sequence[Path], overwrite: 
     """Raise an error if results cannot be written. draws : whether another result than `pictures` has figures"""
     _check(results, overwrite)
     for path in pictures:
-        figure_format(path)
+        matplotlib.form_of(path)
     if pictures or draws:
         try:
-            import matplotlib.figure  # noqa: F401
+            importlib.import_module("matplotlib.figure")
         except ImportError as problem:
             raise OutputError('figures need matplotlib. Install it with pip install "mdrcontact[plot]".') from problem
 
@@ -123,14 +124,6 @@ def _check(paths: Sequence[Path], overwrite: bool) -> None:
             raise OutputError(f"{path}: the file exists. Use --overwrite to replace it.")
 
 
-def figure_format(path: Path) -> str:
-    """Return the format of a figure by its file extension."""
-    suffix = path.suffix.lower().removeprefix(".")
-    if suffix not in matplotlib.FORMATS:
-        raise OutputError(f"{path}: the name of a figure must end in {', '.join(f'.{name}' for name in matplotlib.FORMATS)}.")
-    return suffix
-
-
 def write(arguments: argparse.Namespace, **results: Callable[[], Any]) -> None:
     """Write the results whose options are given, and report their files.
 
@@ -155,11 +148,7 @@ def _content(path: Path, result: Any) -> bytes:
         return result
     if isinstance(result, dict):
         result = json.dumps(result, indent=2, allow_nan=False) + "\n"
-    return result.encode() if isinstance(result, str) else _rendered(result, figure_format(path))
-
-
-def _rendered(figure: Any, form: str) -> bytes:
-    return matplotlib.rendered(matplotlib.draw(figure) if isinstance(figure, Figure) else figure, form)
+    return result.encode() if isinstance(result, str) else matplotlib.rendered(matplotlib.draw(result), matplotlib.form_of(path))
 
 
 def _may_be_data(path: Path) -> bool:

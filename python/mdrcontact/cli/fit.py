@@ -71,7 +71,7 @@ def _one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> None:
         arguments,
         csv=lambda: as_csv(found.tables["points"]),
         json=lambda: found.to_dict() if of_gel else {**found.to_dict(), "file": str(arguments.data)},
-        plot=lambda: found.fit.plot(),
-        ranges=lambda: found.moves and found.moves.plot(),
+        plot=found.figure,
+        ranges=lambda: found.moves and found.moves.plot(found.title),
         report=lambda: pages.fit_page(found, [f"file {arguments.data}, problem file {arguments.problem}", *notes]),
     )

@@ -37,6 +37,6 @@ def run(arguments: argparse.Namespace) -> None:
         arguments,
         csv=lambda: as_csv(found.tables["points"]),
         json=lambda: {**found.profile.to_dict(), "warnings": [*found.doubts]},
-        plot=found.profile.plot,
+        plot=found.figure,
         report=lambda: pages.modulus_page(found, [f"file {arguments.data}", *notes]),
     )

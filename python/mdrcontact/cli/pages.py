@@ -7,7 +7,6 @@ from collections.abc import Sequence
 
 from ..instruments.fitting import report
 from ..instruments.fitting.quantities import measured, words_of
-from ..panels.matplotlib import draw
 from ..studies.fit import FittedCurve
 from ..studies.many import FittedCurves
 from ..studies.modulus import ModulusResult
@@ -33,7 +32,7 @@ def many_page(found: FittedCurves) -> str:
     """Return the page of the fits of many curves."""
     blocks = [report.paragraph(words) for words in found.notes.values()]
     blocks += [report.table(as_rows(found.tables["spread"]))] if "spread" in found.tables else []
-    blocks += [report.picture(draw(found.figure()), "estimates of all curves")]
+    blocks += [report.picture(found.figure(), "estimates of all curves")]
     blocks += [report.items(found.doubts, doubt=True), report.heading("Curves"), report.table(as_rows(found.tables["curves"]))]
     blocks += [report.heading("What was assumed, for the first curve"), report.assumptions(found.fitted[0].fit)]
     return report.page(found.title, blocks)

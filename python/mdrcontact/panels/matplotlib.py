@@ -6,26 +6,32 @@ from __future__ import annotations
 import functools
 import io
 import math
+import os
+import textwrap
+from collections.abc import Iterable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from ..errors import MDRError
-from .panel import Axis, Cells, Label, Line, Panel, Rule, Sheet, limits, side_of
+from ..errors import InvalidArgumentError, MDRError
+from .panel import Axis, Bars, Cells, Label, Line, Panel, Rule, Sheet, limits, side_of
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8B4513", "#7f7f7f", "#9a9a00")
 """Okabe and Ito's colours, which all eyes tell apart, and four more."""
-NAMED = {"grey": "#707070", "black": "#000000", "white": "#ffffff"}
+NAMED = {"grey": "#707070", "pale": "#c8c8c8", "black": "#000000", "white": "#ffffff"}
 _DASHES = {0: "-", 1: (0, (5, 2)), 2: (0, (1, 1.5)), -1: ""}
 _STYLE: dict[Any, Any] = {
     "font.size": 9,
     "axes.titlesize": 10,
+    "figure.titlesize": 10,
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.grid": True,
     "axes.axisbelow": True,
     "grid.color": "#e6e6e6",
-    "legend.frameon": False,
+    "legend.framealpha": 0.85,
+    "legend.edgecolor": "none",
     "svg.hashsalt": "mdrcontact",
 }
 FORMATS: dict[str, dict[str, Any]] = {
@@ -35,6 +41,11 @@ FORMATS: dict[str, dict[str, Any]] = {
 }
 """Metadata of a figure without a date, so that the same figure gives the same file."""
 _WIDTH, _HEIGHT, _DOTS = 4.6, 3.5, 160
+_LEAST_WIDTH, _LETTERS = 6.0, 12.0
+"""Of a figure, and the letters of a title in an inch."""
+_TICKS = 7
+"""Most intervals along x."""
+_WARNING = "#a33c00"
 _FLAT = 0.3
 """Height over width of a map below which its bar does not fit next to it."""
 _LEGEND_BELOW = 6
@@ -54,6 +65,14 @@ def draw(figure: Sheet) -> Any:
         raise MDRError('figures need matplotlib: pip install "mdrcontact[plot]"') from problem
     with matplotlib.rc_context(_STYLE):
         return _drawn(figure)
+
+
+def form_of(path: str | os.PathLike[str]) -> str:
+    """Return the format of a figure by the name of its file."""
+    form = Path(path).suffix.lower().removeprefix(".")
+    if form not in FORMATS:
+        raise InvalidArgumentError(f"{path}: the name of a figure must end in {', '.join(f'.{name}' for name in FORMATS)}.")
+    return form
 
 
 def png(figure: Sheet) -> bytes:
@@ -88,8 +107,13 @@ def _drawn(figure: Sheet) -> Any:
     columns = min(figure.columns, len(figure.panels))
     rows = math.ceil(len(figure.panels) / columns)
     heights = figure.heights or (1.0,) * rows
-    drawn = _shown()(figsize=(_WIDTH * columns, _HEIGHT * sum(heights) + 0.4), layout="constrained")
-    drawn.suptitle(figure.title, parse_math=False)
+    width = max(_WIDTH * columns, _LEAST_WIDTH)
+    title, warnings = (_wrapped(lines, width) for lines in (figure.title.splitlines(), figure.warnings))
+    text = 0.17 * (len(title) + len(warnings))
+    drawn = _shown()(figsize=(width, _HEIGHT * sum(heights) + 0.2 + text), layout="constrained")
+    drawn.suptitle("\n".join(title), parse_math=False)
+    if warnings:
+        drawn.supxlabel("\n".join(warnings), parse_math=False, color=_WARNING, fontsize="medium")
     axes = drawn.subplots(rows, columns, squeeze=False, height_ratios=heights).ravel()
     names = [part.name for part in figure.panels[0].parts if isinstance(part, Line) and part.name]
     for axis, panel in zip(axes, figure.panels, strict=False):
@@ -103,46 +127,62 @@ def _drawn(figure: Sheet) -> Any:
     return drawn
 
 
+def _wrapped(lines: Iterable[str], width: float) -> list[str]:
+    return [part for line in lines for part in textwrap.wrap(line, int(_LETTERS * width))]
+
+
 def _draw_panel(figure: Any, axis: Any, panel: Panel) -> None:
     for i, part in enumerate(panel.parts):
         if isinstance(part, Line):
             _draw_line(axis, part)
         elif isinstance(part, Rule):
-            _draw_rule(axis, part)
+            (axis.axvline if part.vertical else axis.axhline)(part.at, **_look(part, 0.9))
         elif isinstance(part, Label):
             _draw_label(axis, panel, part, above=i % 2 == 0)
         elif isinstance(part, Cells):
             _draw_cells(figure, axis, part, panel.equal)
-        else:
+        elif isinstance(part, Bars):
             axis.stairs(part.counts, part.edges, fill=True, color=colour(part.colour), alpha=0.6)
-    axis.set(title=panel.title, xlabel=panel.x.title, ylabel=panel.y.title)
+        else:
+            look = {"color": colour(part.colour), "alpha": 0.15, "linewidth": 0.0, "label": part.name or None}
+            axis.fill_between(part.x, part.low, part.high, **look)
+    axis.set(title="\n".join(_wrapped(panel.title.splitlines(), _WIDTH)), xlabel=panel.x.title, ylabel=panel.y.title)
     _set_axis(axis, "x", panel.x)
     _set_axis(axis, "y", panel.y)
     if panel.downward:
         axis.invert_yaxis()
     if panel.equal:
         axis.set_aspect("equal")
+    _name_rules(axis, [part for part in panel.parts if isinstance(part, Rule) and part.name])
 
 
 def _draw_line(axis: Any, part: Line) -> None:
-    look = {"color": colour(part.colour), "linestyle": _DASHES[part.dash], "linewidth": part.width, "marker": part.marker or None}
-    look |= {"markersize": 4.0, "label": part.name or None}
+    look = _look(part, part.width) | {"marker": part.marker or None, "markersize": 4.0, "label": part.name or None}
     if part.error is None:
         axis.plot(part.x, part.y, **look)
     else:
-        axis.errorbar(part.x, part.y, part.error, capsize=2.0, elinewidth=0.8, **look)
+        axis.errorbar(part.x, part.y, part.error, capsize=0.0 if part.marker == "." else 2.0, elinewidth=0.8, **look)
 
 
-def _draw_rule(axis: Any, part: Rule) -> None:
-    look = {"color": colour(part.colour), "linestyle": _DASHES[part.dash], "linewidth": 0.9}
-    if part.vertical:
-        axis.axvline(part.at, **look)
-        place = {"xy": (part.at, 1.0), "xycoords": ("data", "axes fraction"), "xytext": (3, -3), "va": "top"}
-    else:
-        axis.axhline(part.at, **look)
-        place = {"xy": (1.0, part.at), "xycoords": ("axes fraction", "data"), "xytext": (-3, 3), "ha": "right"}
-    if part.name:
-        axis.annotate(part.name, textcoords="offset points", color=colour(part.colour), **place)
+def _look(part: Line | Rule, width: float) -> dict[str, Any]:
+    return {"color": colour(part.colour), "linestyle": _DASHES[part.dash], "linewidth": width}
+
+
+def _name_rules(axis: Any, rules: list[Rule]) -> None:
+    """Write the names at the ends of the rules; those of vertical ones below each other."""
+    from matplotlib.patheffects import withStroke
+
+    below = 3
+    for part in rules:
+        look: dict[str, Any] = {"textcoords": "offset points", "color": colour(part.colour)}
+        look["path_effects"] = [withStroke(linewidth=2.0, foreground="white")]
+        if part.vertical:
+            is_left = axis.transAxes.inverted().transform(axis.transData.transform((part.at, 1.0)))[0] < 0.6
+            place = {"xytext": (3 if is_left else -3, -below), "va": "top", "ha": "left" if is_left else "right"}
+            axis.annotate(part.name, (part.at, 1.0), xycoords=("data", "axes fraction"), **place, **look)
+            below += 12
+        else:
+            axis.annotate(part.name, (1.0, part.at), xycoords=("axes fraction", "data"), xytext=(-3, 3), ha="right", **look)
 
 
 def _draw_label(axis: Any, panel: Panel, part: Label, above: bool) -> None:
@@ -193,4 +233,6 @@ def _set_axis(axis: Any, name: str, side: Axis) -> None:
         one.set_ticks(np.arange(1, len(side.names) + 1), side.names, rotation=90, fontsize=7, parse_math=False)
     elif side.whole:
         one.set_major_locator(MaxNLocator("auto", integer=True, min_n_ticks=1))
+    elif name == "x":
+        one.set_major_locator(MaxNLocator(_TICKS, steps=[1, 2, 2.5, 5, 10]))
     getattr(axis, f"set_{name}lim")(side.low, side.high)

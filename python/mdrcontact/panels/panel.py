@@ -41,11 +41,11 @@ class Line(NamedTuple):
     y: Array
     name: str = ""
     colour: int | str = 0
-    """number of a colour that is distinct from the others, or "grey", "black", "white" """
+    """number of a colour that is distinct from the others, or "grey", "pale", "black", "white" """
     dash: int = 0
     """0 solid, 1 dashed, 2 dotted, -1 no line"""
     marker: str = ""
-    """"o", "s", "^" or "x" """
+    """"." (small), "o", "s", "^" or "x" """
     width: float = 1.6
     error: Array | None = None
     """half length of the bars of y"""
@@ -97,7 +97,17 @@ class Bars(NamedTuple):
     colour: int | str = 0
 
 
-Part = Line | Rule | Label | Cells | Bars
+class Band(NamedTuple):
+    """The region between two curves."""
+
+    x: Array
+    low: Array
+    high: Array
+    name: str = ""
+    colour: int | str = "grey"
+
+
+Part = Line | Rule | Label | Cells | Bars | Band
 
 
 class Panel(NamedTuple):
@@ -121,6 +131,8 @@ class Sheet(NamedTuple):
     columns: int = 2
     heights: tuple[float, ...] = ()
     """of the rows, relative; equal if empty"""
+    warnings: tuple[str, ...] = ()
+    """sentences that a reader must not overlook"""
 
 
 def along(name: str, dimension: Dimension, values: Any, **options: Any) -> tuple[Axis, Unit]:

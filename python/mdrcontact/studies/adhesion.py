@@ -12,11 +12,12 @@ from .._text import number
 from .._units import ENERGY, FORCE, LENGTH, MODULUS, WORK_OF_ADHESION, practical, shown
 from ..contact import Contact
 from ..loop import Loop, PullOff
-from ..panels import Figure, Label, Line, Panel, Rule, along
+from ..panels import Figure, Label, Panel
+from ..panels.contacts import of_loop
 from ..problem import Problem
 from ..problem.adhesion import Adhesion
 from ..progress import Progress
-from .result import Array, Column, Number, Result, Table, Words, column, columns_of, study
+from .result import Column, Number, Result, Table, Words, column, columns_of, study
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -34,30 +35,12 @@ class AdhesionResult(Result):
 
 
 def _panels(found: AdhesionResult) -> Iterator[Panel]:
-    loop, is_spring = found.loop, found.loop.control == "spring"
-    position = loop.position if is_spring else loop.depth
-    x, length = along("position of the spring's end d + F/K" if is_spring else "indentation depth d", LENGTH, position)
-    for name, values, dimension in (("force F", loop.force, FORCE), ("contact radius a", loop.radius, LENGTH)):
-        y, unit = along(name, dimension, values, low=0.0 if dimension is LENGTH else None)
-        parts: list[Line | Label | Rule] = list(_branches(loop, length.of(position), unit.of(values)))
-        if dimension is FORCE:
-            parts.append(Rule(0.0, dash=0))
-            if not is_spring:
-                parts += [Label(float(length.of(at.depth)), float(unit.of(at.force)), text) for text, at in found.pull_offs]
-        yield Panel(x, y, tuple(parts))
-
-
-def _branches(loop: Loop, x: Array, y: Array) -> Iterator[Line]:
-    """Approach and retraction in pieces between the jumps, which are dotted."""
-    for name, colour, part, width in (
-        ("approach", 1, slice(0, loop.turning_point + 1), 3.2),
-        ("retraction", 0, slice(loop.turning_point, len(x)), 1.6),
-    ):
-        starts = [part.start, *(int(j) + 1 for j in loop.jumps if part.start <= j < part.stop - 1)]
-        for start, stop in zip(starts, [*starts[1:], part.stop], strict=True):
-            yield Line(x[start:stop], y[start:stop], name if start == part.start else "", colour, 0, "", width)
-        for start in starts[1:]:
-            yield Line(x[start - 1 : start + 1], y[start - 1 : start + 1], "", colour, 2, "", 1.0)
+    force, radius = of_loop(found.loop)
+    if found.loop.control != "spring":
+        depth, newton = (practical(*one) for one in ((LENGTH, found.loop.depth), (FORCE, found.loop.force)))
+        labels = (Label(float(depth.of(at.depth)), float(newton.of(at.force)), text) for text, at in found.pull_offs)
+        force = force._replace(parts=(*force.parts, *labels))
+    yield from (force, radius)
 
 
 @study

@@ -11,6 +11,7 @@ from ..instruments.files.fit_file import FitFile
 from ..instruments.fitting import FitResult, StiffnessDepth, fit
 from ..instruments.fitting.calibration import together, words_of_tests
 from ..instruments.fitting.data import Data
+from ..panels import Figure
 from ..problem import ProblemError
 from ..progress import Progress
 from .estimates import estimates
@@ -27,6 +28,10 @@ class CalibrateResult(Result):
     """names"""
     doubts: tuple[str, ...]
     """about how the tests agree; `warnings` has them too"""
+
+    def figure(self) -> Figure:
+        """Return data, fit and residuals of all tests."""
+        return self.fit.plot(self.title)
 
     def tip_file(self) -> str:
         """The content of a file that [indenter] reads; raises for a calibration that has fitted the body."""

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -16,26 +16,18 @@ from ..contact import Contact
 from ..errors import InvalidArgumentError, MDRError
 from ..material import Elastic
 from ..medium import Coated, Homogeneous, Medium, Pair
-from ..panels import Axis, Figure, Label, Line, Panel, Rule, along, cut, marked
+from ..panels import Axis, Figure, Label, Line, Panel, Part, Rule, along, marked
+from ..panels.contacts import OVER_DEPTH, Pressure, of_pressures, over_depth, pressure_of
 from ..problem import Problem
 from ..progress import Progress
 from ..state import State
 from .result import Array, Number, Result, Table, column, spread_over, study
 from .states import Curve, columns, solve, thickness
 
-_PRESSURE_POINTS = 400
 _COMPARABLE = 10.0
 """A reference curve that ends further away than this factor would compress the others."""
 _NARROW = 3.0
 """A range of a/h below this factor is not worth a panel."""
-
-
-class Pressure(NamedTuple):
-    """The pressure of one state, where it is finite; SI units."""
-
-    depth: float
-    r: Array
-    pressure: Array
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -124,24 +116,13 @@ def curve(problem: Problem, *, pressures: bool = False, references: bool = False
 
 
 def _over_depth(found: CurveResult) -> Iterator[Panel]:
-    curve = found.states
-    x, depth = along("indentation depth d", LENGTH, curve.depth)
-    # from 0 on, unless an adhesive curve begins far from it and would fill a corner only
-    x = x._replace(low=0.0 if 0.0 <= curve.depth[0] < 0.5 * curve.depth[-1] else None)
-    at = found.at_thickness
+    curve, at = found.states, found.at_thickness
+    depth = practical(LENGTH, curve.depth)
     if at is not None and not curve.radius[0] < float(at.radius) < curve.radius[-1]:
         at = None
-    quantities: list[tuple[str, str, Dimension]] = [
-        ("force F", "force", FORCE),
-        ("contact radius a", "radius", LENGTH),
-        ("contact stiffness k", "stiffness", STIFFNESS),
-    ]
-    for name, quantity, dimension in quantities:
-        values = getattr(curve, quantity)
-        y, unit = along(name, dimension, values)
-        y = y._replace(low=0.0 if 0.0 <= values.min() < 0.5 * values.max() else None)
-        name = _model_name(found.problem) if dimension is FORCE else ""
-        parts: list[Line | Label] = [Line(depth.of(curve.depth), unit.of(values), name, marker=marked(values))]
+    for (_, quantity, dimension), panel in zip(OVER_DEPTH, over_depth(curve, _model_name(found.problem)), strict=True):
+        unit = practical(dimension, getattr(curve, quantity))
+        parts: list[Part] = [*panel.parts]
         if dimension is FORCE:
             parts += [
                 Line(depth.of(curve.depth), unit.of(forces), f"{body} alone", "grey", 1 + i, marked(forces, "^s"[i]), 1.0)
@@ -150,7 +131,7 @@ def _over_depth(found: CurveResult) -> Iterator[Panel]:
             ]
         if at is not None:
             parts.append(Label(float(depth.of(at.depth)), float(unit.of(getattr(at, quantity))), "a = h", 1))
-        yield Panel(x, y, tuple(parts))
+        yield panel._replace(parts=tuple(parts))
 
 
 def _over_radius(found: CurveResult) -> Iterator[Panel]:
@@ -168,17 +149,7 @@ def _over_radius(found: CurveResult) -> Iterator[Panel]:
 def _over_r(found: CurveResult) -> Iterator[Panel]:
     if not found.pressures:
         return
-    x, length = along("distance from the axis r", LENGTH, found.states.radius, low=0.0)
-    depth = practical(LENGTH, found.states.depth)
-    # the pressure half way to the edge is finite under every tip; infinite ones at an apex or an edge are cut off
-    most = 4.0 * max(abs(float(np.interp(0.5 * r[-1], r, p))) for _, r, p in found.pressures)
-    highest = min(most, max(float(p.max(initial=0.0)) for _, _, p in found.pressures))
-    y, unit = along("contact pressure p", MODULUS, [highest])
-    lines = (
-        Line(length.of(r), unit.of(cut(p, -most, most)), f"d = {float(depth.of(d)):.3g} {depth.symbol}", i)
-        for i, (d, r, p) in enumerate(found.pressures)
-    )
-    yield Panel(x, y, tuple(lines))
+    yield of_pressures(found.pressures, found.states.radius)
 
 
 def _model_name(problem: Problem) -> str:
@@ -240,11 +211,7 @@ def _pressures(contact: Contact, found: Curve) -> tuple[tuple[Pressure, ...], In
     quarters = spread_over(count, 4)
     try:
         for i in (quarters[0], quarters[1], quarters[3]) if count > 3 else range(count):
-            # dense towards the edge, where pressures are steep, and a hair inside it: the edge itself depends on rounding
-            r = found.radius[i] * (1.0 - 1e-9) * np.sin(np.linspace(0.0, np.pi / 2, _PRESSURE_POINTS))
-            p = np.asarray(contact.at_depth(float(found.depth[i])).pressure(r))
-            finite = np.isfinite(p)
-            result.append(Pressure(float(found.depth[i]), r[finite], p[finite]))
+            result.append(pressure_of(contact.at_depth(float(found.depth[i])), float(found.radius[i])))
     except InvalidArgumentError as refusal:
         return (), refusal
     return tuple(result), None

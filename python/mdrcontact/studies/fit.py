@@ -18,6 +18,7 @@ from ..instruments.fitting import FitResult, GelFit, ModelRanking, Moves, Oliver
 from ..instruments.fitting.data import Data
 from ..instruments.fitting.quantities import dimension_of, words_of
 from ..instruments.fitting.result import Interval
+from ..panels import Figure
 from ..progress import Progress
 from .estimates import estimates
 from .result import Array, Column, Number, Result, column, in_turn, study
@@ -44,6 +45,11 @@ class FittedCurve(Result):
     """of a gel, the fits under each drainage"""
     refusal: MDRError | None = None
     """why there are no intervals, or no other models"""
+
+    def figure(self) -> Figure:
+        """Return data, fit and residuals; of unloading curves the test with its stiffnesses."""
+        found: Figure = self.fit.plot(self.title)
+        return found
 
     def to_dict(self) -> dict[str, Any]:
         """The fit and its intervals as plain Python values."""

@@ -15,13 +15,10 @@ from ..instruments.files.inspection import Given, Inspection, Test, given_by, in
 from ..instruments.files.start_file import MARK
 from ..instruments.fitting.causes import by_cause
 from ..instruments.reading.formats import Fact
-from ..panels import Figure, Line, Panel, along
+from ..panels import Figure
 from ..progress import Progress
 from .result import Array, Number, Result, Table, in_turn, in_words, study
 
-_DRAWN = 12
-"""Tests in the figure."""
-_COLOURS = {"loading": 0, "hold": 4, "unloading": 1}
 _MOST = 60
 """Tests that are examined."""
 
@@ -44,22 +41,7 @@ class InspectResult(Result):
 
     def figure(self) -> Figure:
         """Return force over depth or height of the first tests, coloured by segment."""
-        tests = self.inspection.tests
-        rest = f", {_DRAWN} of {len(tests)} tests" if len(tests) > _DRAWN else ""
-        return Figure(self.title + rest, tuple(map(_panel, tests[:_DRAWN])), columns=3)
-
-
-def _panel(test: Test) -> Panel:
-    """Loading below what comes after it; the first segment of each kind has its name."""
-    x, length = along(test.along_name, LENGTH, test.along)
-    y, newton = along("force F", FORCE, test.force)
-    lines, named = [], set[str]()
-    for part in sorted(test.segments, key=lambda segment: list(_COLOURS).index(segment.kind)):
-        points = slice(max(part.start - 1, 0), part.stop)
-        name = "" if part.kind in named else part.kind
-        named.add(part.kind)
-        lines.append(Line(length.of(test.along[points]), newton.of(test.force[points]), name, _COLOURS[part.kind], width=1.2))
-    return Panel(x, y, tuple(lines), test.name)
+        return self.inspection.plot(self.title)
 
 
 @study

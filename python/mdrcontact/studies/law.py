@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from .._units import FORCE, LENGTH, RATIO
 from ..friction import Friction
 from ..law import ContactLaw
+from ..panels import Figure
 from ..problem import Problem
 from ..progress import Progress
 from .result import Number, Result, study
@@ -19,6 +20,10 @@ class LawResult(Result):
 
     problem: Problem
     law: ContactLaw
+
+    def figure(self) -> Figure:
+        """Return force, contact radius and stiffness of the law over depth."""
+        return self.law.plot()._replace(title=self.title)
 
 
 @study

@@ -12,6 +12,7 @@ from ..instruments.files.fit_file import FitFile
 from ..instruments.fitting import DepthProfile, StiffnessDepth, modulus_at_depths
 from ..instruments.fitting.data import Data
 from ..instruments.fitting.quantities import dimension_of, words_of
+from ..panels import Figure
 from ..problem import ProblemError
 from ..progress import Progress
 from .result import Column, Number, Result, column, study
@@ -25,6 +26,10 @@ class ModulusResult(Result):
     profile: DepthProfile
     doubts: tuple[str, ...]
     """about the data and the modulus at zero depth; `warnings` has them too"""
+
+    def figure(self) -> Figure:
+        """Return the moduli against depth, and the line to zero depth."""
+        return self.profile.plot(self.title)
 
 
 @study

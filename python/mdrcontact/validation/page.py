@@ -15,6 +15,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..instruments.fitting import report
+from ..panels import Axis, Figure, Line, Panel
+from ..panels.matplotlib import draw
 from . import GROUPS, limits
 from .check import Check, Comparison, Group
 
@@ -103,7 +105,7 @@ def pictures(rows: Sequence[Row]) -> dict[str, bytes]:
     for group, held in sections(rows):
         if any(row.found for row in held):
             whole, small = io.BytesIO(), io.BytesIO()
-            figure(held).savefig(whole, format="png", dpi=75)
+            draw(figure(held)).savefig(whole, format="png", dpi=75)
             image.open(whole).convert("RGB").quantize(32).save(small, "png", optimize=True)
             drawn[f"validation_{group.name}.png"] = small.getvalue()
     return drawn
@@ -160,19 +162,15 @@ _ACROSS = 3
 """Panels side by side."""
 
 
-def figure(rows: Sequence[Row]) -> Any:
+def figure(rows: Sequence[Row]) -> Figure:
     """A panel for each row that was run: circles are the reference, crosses the library."""
-    drawn_rows = [(row, row.found) for row in rows if row.found is not None]
-    across, down = min(len(drawn_rows), _ACROSS), -(-len(drawn_rows) // _ACROSS)
-    figure_class = importlib.import_module("matplotlib.figure").Figure
-    drawn = figure_class(figsize=(4.0 * across, 3.0 * down), layout="constrained")
-    panels = np.ravel(drawn.subplots(down, across, squeeze=False))
-    for panel, (row, found) in zip(panels, drawn_rows, strict=False):
-        panel.plot(found.x, found.there, "o", mfc="none", color="0.5")
-        panel.plot(found.x, found.here, "+", color="C0")
-        panel.set_title(f"{row.check.capability}\n{row.check.source}", fontsize="small")
-        panel.set_xlabel(f"{found.x_name};  deviation {found.deviation:.0e}", fontsize="small")
-        panel.tick_params(labelsize="small")
-    for panel in panels[len(drawn_rows) :]:
-        panel.set_visible(False)
-    return drawn
+    panels = tuple(_panel(row, row.found) for row in rows if row.found is not None)
+    return Figure("", panels, _ACROSS)
+
+
+def _panel(row: Row, found: Comparison) -> Panel:
+    x, there, here = (np.asarray(values, dtype=float) for values in (found.x, found.there, found.here))
+    parts = Line(x, there, colour="pale", dash=-1, marker="o"), Line(x, here, colour=0, dash=-1, marker="x")
+    return Panel(
+        Axis(f"{found.x_name};  deviation {found.deviation:.0e}"), Axis(""), parts, f"{row.check.capability}\n{row.check.source}"
+    )

@@ -15,8 +15,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..._units import LENGTH, SENSITIVITY, STIFFNESS, parse, shown
-from ...errors import MDRError
+from ..._units import FORCE, LENGTH, SENSITIVITY, STIFFNESS, parse, shown
+from ...errors import InvalidArgumentError, MDRError
+from ...panels import Figure, Line, Panel, along
 from ...problem.roles import ROLES
 from ...problem.section import ProblemError, Section
 from ...problem.toml import parse_file
@@ -62,6 +63,9 @@ _PULLS = 0.05
 """Fraction of the largest force below which a pull needs no work of adhesion."""
 _WIDEST = 9
 """Columns of a table without titles."""
+_DRAWN = 12
+"""Tests in a figure."""
+_COLOURS = {"loading": 0, "hold": 4, "unloading": 1}
 
 
 class Given(NamedTuple):
@@ -113,6 +117,43 @@ class Inspection:
     kind: str
     problem: str
     """a problem file for `mdrcontact fit`"""
+
+    def plot(self, title: str = "") -> Figure:
+        """Return force over depth or height of the first tests as a figure, coloured by segment.
+
+        Parameters
+        ----------
+        title : str, optional
+            Title of the figure.
+
+        Returns
+        -------
+        Figure
+            The figure.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The file is not a record of an instrument.
+        """
+        if not self.tests:
+            raise InvalidArgumentError(f"kind = {self.kind!r}: only records of instruments have segments. Plot the fit instead.")
+        rest = f"{_DRAWN} of {len(self.tests)} tests" if len(self.tests) > _DRAWN else ""
+        words = ", ".join(part for part in (title, rest) if part)
+        return Figure(words, tuple(map(_panel, self.tests[:_DRAWN])), columns=3)
+
+
+def _panel(test: Test) -> Panel:
+    """Loading below what comes after it; the first segment of each kind has its name."""
+    x, length = along(test.along_name, LENGTH, test.along)
+    y, newton = along("force F", FORCE, test.force)
+    lines, named = [], set[str]()
+    for part in sorted(test.segments, key=lambda segment: list(_COLOURS).index(segment.kind)):
+        points = slice(max(part.start - 1, 0), part.stop)
+        name = "" if part.kind in named else part.kind
+        named.add(part.kind)
+        lines.append(Line(length.of(test.along[points]), newton.of(test.force[points]), name, _COLOURS[part.kind], width=1.2))
+    return Panel(x, y, tuple(lines), test.name)
 
 
 def inspect_file(path: Path, given: Given | None = None) -> Inspection:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,7 +14,10 @@ from ..._text import aligned
 from ...errors import ArgumentTypeError, MDRError
 from ...material import RIGID
 from ...medium.models import MODELS
+from ...panels import Axis, Figure, Line, Panel, along
 from .data import Data
+from .misfit import percent
+from .quantities import dimension_of, words_of
 from .result import FitResult
 from .solve import fit
 
@@ -81,6 +84,32 @@ class ModelRanking(NamedTuple):
     refused: dict[str, str]
     """reasons why other models cannot be fitted, by name"""
 
+    def plot(self, title: str = "") -> Figure:
+        """Return each parameter under each model, with its 95 % interval, as a figure.
+
+        The models are in the order of their AIC. Numbers are taken as SI.
+
+        Parameters
+        ----------
+        title : str, optional
+            Title of the figure.
+
+        Returns
+        -------
+        Figure
+            The figure.
+        """
+        x = Axis("model, best AIC first", names=tuple(entry.model for entry in self.models))
+        results = [entry.result for entry in self.models]
+        wrong = np.array([entry.is_wrong for entry in self.models])
+        panels = []
+        for name in results[0].names:
+            y, unit = along(words_of(name), dimension_of(name), [abs(one.estimates[name]) for one in results])
+            values = unit.of(np.array([one.estimates[name] for one in results]))
+            errors = 1.96 * unit.of(np.array([one.standard_errors[name] for one in results]))
+            panels.append(Panel(x, y, tuple(_marked(values, errors, wrong))))
+        return Figure(title or "Models", tuple(panels))
+
     def summary(self) -> str:
         """Return the ranking as a table.
 
@@ -101,6 +130,14 @@ class ModelRanking(NamedTuple):
             numbers = [f"{entry.delta_aic:.1f}", f"{entry.result.bic:.5g}", f"{entry.weight:.2g}"]
             rows.append([entry.model + note, *numbers, error, *cells])
         return "\n".join([aligned(rows), *(f"refused: {model}: {words}" for model, words in self.refused.items()), _CAUTION])
+
+
+def _marked(values: Any, errors: Any, wrong: Any) -> Iterator[Line]:
+    """Points with their intervals; in another colour where the model is wrong at these contacts."""
+    at = np.arange(1.0, len(values) + 1.0)
+    for keep, name, colour in ((~wrong, "", 0), (wrong, f"E_eff wrong by more than {percent(_WRONG)}", 1)):
+        if keep.any():
+            yield Line(at[keep], values[keep], name, colour, -1, "o", error=errors[keep])
 
 
 def compare_models(

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ..._boundary import call, native
 from ..._units import LENGTH, practical
 from ...errors import ArgumentTypeError, InvalidArgumentError
+from ...panels import Band, Figure, Line, Panel, along
 from ..records.segments import effective_points
 from .data import StiffnessDepth
 from .many import fit_many
@@ -25,7 +26,6 @@ from .result import FitResult, Interval
 Array = NDArray[np.float64]
 
 _FEWEST = 5
-_BLUE, _RED, _GREY = "#0072B2", "#D55E00", "#707070"
 
 
 class DepthProfile(NamedTuple):
@@ -125,46 +125,36 @@ class DepthProfile(NamedTuple):
             "warnings": self.warnings,
         }
 
-    def plot(self) -> Any:
-        """Draw the moduli against depth, and the line to zero depth, with matplotlib.
+    def plot(self, title: str = "") -> Figure:
+        """Return the moduli against depth, and the line to zero depth, as a figure.
 
-        The figure also shows the modulus that a homogeneous body would have.
+        The figure also shows the modulus that a homogeneous body would have. Numbers are taken as SI.
+
+        Parameters
+        ----------
+        title : str, optional
+            First line of the title.
 
         Returns
         -------
-        matplotlib.figure.Figure
+        Figure
             The figure.
         """
-        from matplotlib.figure import Figure
-
-        figure = Figure(figsize=(6.4, 4.4), layout="constrained")
-        axis = figure.subplots()
-        length = practical(LENGTH, self.analysis.depth)
-        unit = practical(dimension_of(self.name), self.modulus[np.isfinite(self.modulus)])
-        x, y = length.of(self.analysis.depth), unit.of(self.modulus)
-        common = unit.of(self.common_error)
-        order = np.argsort(x)
-        axis.fill_between(
-            x[order], (y - 1.96 * common)[order], (y + 1.96 * common)[order], color=_BLUE, alpha=0.15, label="common error"
+        found, finite = self.analysis, self.modulus[np.isfinite(self.modulus)]
+        x, length = along("indentation depth", LENGTH, found.depth)
+        y, unit = along("modulus", dimension_of(self.name), finite)
+        order = np.argsort(found.depth)
+        depth, modulus = length.of(found.depth[order]), self.modulus[order]
+        common, ends = 1.96 * self.common_error[order], np.array([0.0, float(np.nanmax(found.depth))])
+        half = np.array([self.interval.upper - self.at_zero])
+        parts = (
+            Band(depth, unit.of(modulus - common), unit.of(modulus + common), "common error, 95 %", 0),
+            Line(depth, unit.of(found.reduced_modulus[order]), "reduced modulus E_r, film not separated", "grey", -1, "x"),
+            Line(depth, unit.of(modulus), words_of(self.name), 0, -1, ".", error=1.96 * unit.of(self.standard_error[order])),
+            Line(length.of(ends), unit.of(self.at_zero + self.slope * ends), "", 1, width=1.2),
+            Line(np.zeros(1), unit.of(np.array([self.at_zero])), "at zero depth, 95 %", 1, -1, "o", error=unit.of(half)),
         )
-        axis.errorbar(x, y, 1.96 * unit.of(self.standard_error), fmt=".", color=_BLUE, elinewidth=0.8, label=words_of(self.name))
-        axis.plot(
-            x,
-            unit.of(self.analysis.reduced_modulus),
-            "x",
-            color=_GREY,
-            markersize=3,
-            label="reduced modulus E_r, film not separated",
-        )
-        ends = np.array([0.0, float(np.nanmax(self.analysis.depth))])
-        axis.plot(length.of(ends), unit.of(self.at_zero + self.slope * ends), color=_RED, linewidth=1.2)
-        half = unit.of(self.interval.upper - self.at_zero)
-        axis.errorbar([0.0], [unit.of(self.at_zero)], [half], fmt="o", color=_RED, capsize=3, label="at zero depth, 95 %")
-        axis.set(xlabel=f"indentation depth [{length.symbol}]", ylabel=f"modulus [{unit.symbol}]")
-        axis.set_title(self.summary(), fontsize=9, loc="left")
-        axis.legend(frameon=False, fontsize=8)
-        axis.spines[["top", "right"]].set_visible(False)
-        return figure
+        return Figure("\n".join([*([title] if title else []), self.summary()]), (Panel(x, y, parts),))
 
 
 def modulus_at_depths(

@@ -15,9 +15,12 @@ from numpy.typing import NDArray
 
 from ...contact import Contact
 from ...errors import ArgumentTypeError, InvalidArgumentError, NoConvergenceError
+from ...panels import Figure
 from ...poroelastic import DRAINAGES, Poroelastic, body_of, drainage_code, gel_of, history, is_poroelastic
 from ...profile import FlatPunch, Paraboloid
 from .least_squares import Coordinate, Estimate, ParameterFit, names_of, solve
+from .picture import figure_of
+from .quantities import measured, words_of
 from .time_data import DepthTime, DynamicStiffness, ForceTime
 
 Array = NDArray[np.float64]
@@ -62,8 +65,32 @@ class GelFit(ParameterFit):
     """the body with the fitted parameters"""
     drainage: str
     """the drainage of the fit, which is not a fit parameter"""
+    data: ForceTime | DepthTime | DynamicStiffness
+    """the readings"""
     fitted: Array
     """the model at each reading"""
+
+    def plot(self, title: str = "") -> Figure:
+        """Return data, fit and residuals as a figure.
+
+        The residuals are in units of their standard deviation. Numbers are taken as SI.
+
+        Parameters
+        ----------
+        title : str, optional
+            First line of the title.
+
+        Returns
+        -------
+        Figure
+            The figure.
+        """
+        residuals = self.data.y - self.fitted
+        sd = float(np.sqrt(residuals @ residuals / max(len(residuals) - len(self.values), 1)))
+        lines = [title] if title else []
+        lines += [f"{words_of(name)} = {measured(name, value, self.errors[name])}" for name, value in self.values.items()]
+        lines.append(f"drainage {self.drainage!r}")
+        return figure_of(self.data, 1.0, self.fitted, residuals / sd if sd > 0.0 else residuals, "fit", lines)
 
     def to_dict(self) -> dict[str, Any]:
         """Return numbers and notes as plain Python values.
@@ -148,7 +175,7 @@ def fit_gel(
     if "nu" in names and not _LOWEST < gel.nu < _HIGHEST:
         fields["notes"] += (f"nu is at the end of its range, {gel.nu:.3g}: it has no interval",)
     fields["notes"] += ("the drainage is not a fit parameter: compare_drainages shows its effect on the estimates",)
-    return GelFit(**fields, medium=body_of(medium, gel), drainage=drainage, fitted=search.model(found.u))
+    return GelFit(**fields, medium=body_of(medium, gel), drainage=drainage, data=data, fitted=search.model(found.u))
 
 
 def compare_drainages(

@@ -5,15 +5,16 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ... import _layout
 from ..._choices import nearest
-from ..._units import MODULUS, QUANTITIES, practical, shown
+from ..._units import MODULUS, QUANTITIES, shown
 from ...errors import InvalidArgumentError, MDRError
+from ...panels import Figure, Line, Panel, along
 from .data import Data, ForceDepth
 from .parameters import Free
 from .quantities import dimension_of, words_of
@@ -24,7 +25,6 @@ _PARTS = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
 """Ends of the fitted range, relative to the depth in contact."""
 _FEWEST, _OF_BRANCH = 20, 0.2
 _OPTIONS = ("loss", "loss_scale", "adhesion_rule", "sd_is_absolute", "max_iterations")
-_BLUE, _RED, _GREY = "#0072B2", "#D55E00", "#707070"
 
 
 class Move(NamedTuple):
@@ -98,39 +98,36 @@ class Moves(NamedTuple):
                 lines.append(f"{words_of(self.name)} moves by {ends} with {what} ({', '.join(_named(moves))})")
         return lines
 
-    def plot(self) -> Any:
-        """Draw the estimate against the end of the fitted range, with matplotlib.
+    def plot(self, title: str = "") -> Figure:
+        """Return the estimate against the end of the fitted range as a figure.
 
-        The figure also shows the estimates with the other choices.
+        The figure also shows the estimates with the other choices. Numbers are taken as SI.
+
+        Parameters
+        ----------
+        title : str, optional
+            First line of the title.
 
         Returns
         -------
-        matplotlib.figure.Figure
+        Figure
             The figure.
         """
-        from matplotlib.figure import Figure
-
-        figure = Figure(figsize=(6.4, 4.2), layout="constrained")
-        axis = figure.subplots()
         data = self.result.data
-        along, unit = practical(QUANTITIES[data.x_name], data.x), practical(dimension_of(self.name), self._values())
-        error = [1.96 * move.standard_error / unit.factor for move in self.ranges]
-        ends, values = ([v / f for v in column] for column, f in zip(self._ranges(), (along.factor, unit.factor), strict=True))
-        axis.errorbar(ends, values, error, fmt="o-", color=_BLUE, markersize=4, elinewidth=0.8, label="fitted up to there")
+        ends, values, errors = (np.array([getattr(m, name) for m in self.ranges]) for name in ("end", "value", "standard_error"))
+        reach = ends if len(ends) else data.x
+        x, along_x = along(f"end of the range: {data.x_name}", QUANTITIES[data.x_name], reach)
+        y, unit = along(words_of(self.name), dimension_of(self.name), self._values())
+        parts = [Line(along_x.of(ends), unit.of(values), "fitted up to there, 95 %", 0, 0, "o", error=1.96 * unit.of(errors))]
+        whole = along_x.of(np.array([reach.min(), reach.max()]))
         for i, move in enumerate((*self.branches, *self.contact_points)):
-            style, colour = ("--", ":", "-.")[i % 3], _RED if move in self.branches else _GREY
-            axis.axhline(move.value / unit.factor, color=colour, linewidth=1.0, linestyle=style, label=move.choice)
-        axis.set(xlabel=f"end of the range: {data.x_name} [{along.symbol}]", ylabel=f"{words_of(self.name)} [{unit.symbol}]")
-        axis.set_title("\n".join(line.partition(" (")[0] for line in self.summary()), fontsize=9, loc="left")
-        axis.legend(frameon=False, fontsize=8)
-        axis.spines[["top", "right"]].set_visible(False)
-        return figure
+            level = unit.of(np.full(2, move.value))
+            parts.append(Line(whole, level, move.choice, 1 if move in self.branches else "grey", 1 + i % 2, width=1.2))
+        lines = [*([title] if title else []), *(line.partition(" (")[0] for line in self.summary())]
+        return Figure("\n".join(lines), (Panel(x, y, tuple(parts)),))
 
     def _values(self) -> list[float]:
         return [move.value for move in (*self.ranges, *self.branches, *self.contact_points)] or [self.result.estimates[self.name]]
-
-    def _ranges(self) -> tuple[list[float], list[float]]:
-        return [move.end for move in self.ranges], [move.value for move in self.ranges]
 
 
 def _rounded(change: float) -> float:

@@ -11,9 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..._boundary import number
+from ..._units import LENGTH, MODULUS
 from ...errors import ArgumentTypeError, InvalidArgumentError
 from ...material import Elastic
 from ...medium import Homogeneous
+from ...panels import Figure, Line, Panel, along
 from .data import StiffnessDepth
 from .parameters import Instrument
 from .parameters import has_homogeneous_indenter as is_paired
@@ -62,6 +64,31 @@ class OliverPharr(NamedTuple):
     """H = P/A [modulus]"""
     hardness_error: Array
     """standard error of H [modulus]"""
+
+    def plot(self, title: str = "") -> Figure:
+        """Return reduced modulus and hardness over depth as a figure.
+
+        Bars are 95 % intervals. Numbers are taken as SI.
+
+        Parameters
+        ----------
+        title : str, optional
+            Title of the figure.
+
+        Returns
+        -------
+        Figure
+            The figure.
+        """
+        x, length = along("indentation depth", LENGTH, self.depth, low=0.0)
+        panels = []
+        for name, field in (("reduced modulus E_r", "reduced_modulus"), ("hardness H", "hardness")):
+            values, errors = getattr(self, field), getattr(self, f"{field}_error")
+            y, unit = along(name, MODULUS, values, low=0.0)
+            panels.append(
+                Panel(x, y, (Line(length.of(self.depth), unit.of(values), "", 0, -1, "o", error=1.96 * unit.of(errors)),))
+            )
+        return Figure(title or "After Oliver and Pharr", tuple(panels))
 
 
 def oliver_pharr(

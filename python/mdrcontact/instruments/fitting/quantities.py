@@ -33,6 +33,7 @@ _WORDS = {
     "E0": "modulus E0 at depth z0",
     "relaxed_shear_modulus": "relaxed shear modulus",
     "bulk_modulus": "bulk modulus K",
+    "shear_modulus": "shear modulus G",
     "viscosity": "viscosity",
     "modulus": "shear modulus G at the unit of time",
     "time": "unit of time",

@@ -14,11 +14,13 @@ from numpy.typing import ArrayLike, NDArray
 from ... import _scipy
 from ..._boundary import number, numbers
 from ..._choices import nearest
+from ..._units import FORCE, SPEED
 from ..._value import Value
 from ..._warn import collected, silence, texts_of, warn_all
 from ...adhesion import rate_history
 from ...contact import Contact
 from ...errors import ArgumentTypeError, InvalidArgumentError, MDRError, NoConvergenceError
+from ...panels import Figure, Line, Panel, along
 from .least_squares import Coordinate, ParameterFit, central_differences, estimate, names_of, solve
 
 __all__ = ["RateCurve", "RateFit", "fit_rate"]
@@ -168,33 +170,32 @@ class RateFit(ParameterFit):
             reach *= 2.0
         raise NoConvergenceError(f"the contact does not break within {reach:.3g} of retraction")
 
-    def plot(self, axes: Any = None, points: int = 25) -> Any:
-        """Draw the pull-off force against the speed: readings and fit.
+    def plot(self, points: int = 25) -> Figure:
+        """Return the pull-off force against the speed as a figure: readings and fit.
+
+        Numbers are taken as SI.
 
         Parameters
         ----------
-        axes : matplotlib.axes.Axes, optional
-            Axes to draw on; None makes a new figure.
         points : int, optional
             Number of speeds of the curve of the fit.
 
         Returns
         -------
-        matplotlib.axes.Axes
-            The axes.
+        Figure
+            The figure.
         """
-        if axes is None:
-            import matplotlib.pyplot as plt
-
-            axes = plt.figure(layout="constrained").add_subplot()
-            axes.set(xlabel="speed of the machine", ylabel="pull-off force")
-        speeds = np.array([curve.speed for curve in self.curves])
-        offset = self.values.get("force_offset", 0.0)
-        axes.loglog(speeds, [offset - np.min(curve.force) for curve in self.curves], "o", label="readings")
+        speeds, offset = np.array([curve.speed for curve in self.curves]), self.values.get("force_offset", 0.0)
+        read = np.array([offset - np.min(curve.force) for curve in self.curves])
         line = np.geomspace(0.3 * speeds.min(), 3.0 * speeds.max(), points)
-        axes.loglog(line, [-self.pull_off(float(v)) for v in line], label="fit")
-        axes.legend(frameon=False)
-        return axes
+        fitted = np.array([-self.pull_off(float(speed)) for speed in line])
+        x, speed = along("retraction speed", SPEED, speeds, log=True)
+        y, force = along("pull-off force", FORCE, read, log=True)
+        parts = (
+            Line(speed.of(line), force.of(fitted), "fit", 0),
+            Line(speed.of(speeds), force.of(read), "readings", 1, -1, "o"),
+        )
+        return Figure("Pull-off force", (Panel(x, y, parts),))
 
 
 def fit_rate(curves: Sequence[RateCurve], contact: Contact, free: Iterable[str] = ("work", "speed", "exponent")) -> RateFit:

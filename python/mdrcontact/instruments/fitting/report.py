@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import base64
-import io
 import platform
 from collections.abc import Iterable, Sequence
 from datetime import datetime, timezone
@@ -15,6 +14,8 @@ import numpy as np
 
 from ..._boundary import native
 from ..._units import shown
+from ...panels import Figure
+from ...panels.matplotlib import png
 from .quantities import dimension_of, measured, plain, probability, words_of
 
 _STYLE = """
@@ -74,11 +75,9 @@ def preformatted(words: str) -> str:
     return f"<pre>{escape(words)}</pre>"
 
 
-def picture(figure: Any, words: str) -> str:
-    """A matplotlib figure inside the page."""
-    drawn = io.BytesIO()
-    figure.savefig(drawn, format="png", dpi=130)
-    return f'<img alt="{escape(words)}" src="data:image/png;base64,{base64.b64encode(drawn.getvalue()).decode()}">'
+def picture(figure: Figure, words: str) -> str:
+    """A figure inside the page."""
+    return f'<img alt="{escape(words)}" src="data:image/png;base64,{base64.b64encode(png(figure)).decode()}">'
 
 
 def blocks_of(result: Any, notes: Sequence[str] = (), level: float = 0.95) -> list[str]:

@@ -21,11 +21,12 @@ from ..._interrupt import workers
 from ..._text import aligned
 from ..._units import QUANTITIES, practical
 from ...errors import InvalidArgumentError, MDRError
+from ...panels import Figure
 from .contradictions import contradictions
 from .data import ForceDepth, StiffnessDepth
 from .indent import Indent, find_indent
 from .misfit import LARGE, Misfit, measure_misfit, percent
-from .picture import draw
+from .picture import figure_of
 from .problem import Problem
 from .quantities import digits, dimension_of, measured, plain, probability, unit_of, words_of
 from .report import blocks_of, page
@@ -644,31 +645,32 @@ class FitResult:
         rest = float(np.sqrt(np.mean((self.data.y - self.fitted) ** 2)))
         return rest <= _ROUNDING * float(np.max(np.abs(self.data.y)))
 
-    def plot(self, path: str | os.PathLike[str] | None = None) -> Any:
-        """Draw data, fit and residuals with matplotlib.
+    def plot(self, title: str = "") -> Figure:
+        """Return data, fit and residuals as a figure.
 
         The numbers of the problem are taken as SI.
 
         Parameters
         ----------
-        path : str or path-like, optional
-            File (.png, .pdf, .svg) for the figure.
+        title : str, optional
+            First line of the title.
 
         Returns
         -------
-        matplotlib.figure.Figure
+        Figure
             The figure.
         """
-        title = [f"{words_of(name)} = {self.as_text(name)}" for name in self.names]
+        lines = [title] if title else []
+        lines += [f"{words_of(name)} = {self.as_text(name)}" for name in self.names]
         if len(self.data) > 2:
-            title.append(self.misfit_words())
+            lines.append(self.misfit_words().partition(" (")[0])
         # what widens an error is in the error
         doubts = sorted({words for name in self.names for words in self.doubts(name) if "widened" not in words})
         model = getattr(self.medium, "model", None)
         label = f"fit ({model})" if model else "fit"
         is_found = "depth_offset" in self.names and self.data.x_name == "depth"
         contact = self.values["depth_offset"] if is_found or self.data.contact_points else None
-        return draw(self.data, self.noise, self.fitted, self.residuals, label, title, doubts, path, contact)
+        return figure_of(self.data, self.noise, self.fitted, self.residuals, label, lines, doubts, contact)
 
     def to_dict(self, level: float = 0.95) -> dict[str, Any]:
         """Return all results except the objects as plain Python values.
