@@ -153,7 +153,7 @@ class State:
         --------
         >>> contact = mdr.Contact(mdr.Paraboloid(1e-5), mdr.Homogeneous(mdr.Elastic(72e9, 0.17)))
         >>> contact.at_depth(1e-8).plot().title
-        'd = 10 nm, F = 312.46 uN, a = 316.23 nm'
+        'd = 10 nm, F = 312.61 uN, a = 316.23 nm'
         """
         from .panels import contacts
 

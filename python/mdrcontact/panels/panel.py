@@ -127,8 +127,11 @@ class Sheet(NamedTuple):
     """Panels under one title."""
 
     title: str
+    """lines of text above the panels"""
     panels: tuple[Panel, ...]
+    """systems of axes with what is drawn, row by row"""
     columns: int = 2
+    """number of panels side by side"""
     heights: tuple[float, ...] = ()
     """of the rows, relative; equal if empty"""
     warnings: tuple[str, ...] = ()
