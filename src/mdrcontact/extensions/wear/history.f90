@@ -7,7 +7,7 @@
 !> as well.
 module mdrcontact_wear_history
     use, intrinsic :: iso_c_binding, only: c_double
-    use mdrcontact_nonfinite, only: infinity, is_finite
+    use mdrcontact_nonfinite, only: infinity
     use mdrcontact_cancel, only: check_cancelled, report_progress
     use mdrcontact_codes, only: fixed_rings => wear_rings, moving_disc => wear_disc
     use mdrcontact_contact_load, only: contact_load_t
@@ -23,6 +23,7 @@ module mdrcontact_wear_history
     use mdrcontact_wear_hats, only: hats_t, new_hats
     use mdrcontact_wear_history_on_disc, only: disc_t, wear_history_on_disc_t, new_wear_history_on_disc
     use mdrcontact_wear_limit, only: check_carries, check_control
+    use mdrcontact_wear_past, only: check_fits, find_mark, past_size, read_past, save_past, wear_past_t, wearing_t
     use mdrcontact_wear_rate, only: wear_rate_t
     use mdrcontact_wear_rings, only: first_extent, step_rings
     implicit none (type, external)
@@ -52,8 +53,6 @@ module mdrcontact_wear_history
     real(wp), parameter :: first_order = 1.25_wp
     !> Part of a radius that is close to the axis.
     real(wp), parameter :: apex = 1.0e-3_wp
-    !> Numbers of a saved past before those of the discs, and of each disc before its pressures.
-    integer, parameter :: saved_numbers = 6, saved_of_disc = 6
 
     !> Current state of a history, C's struct mdr_wear_state.
     type, bind(C) :: wear_state_t
@@ -72,18 +71,6 @@ module mdrcontact_wear_history
         !> relative, of a, d, F, p or the worn depth, whichever is largest
         real(c_double) :: error = 0.0_c_double
     end type wear_state_t
-
-    !> Record of the past: the discs of n/2 and of n intervals.
-    type :: wear_past_t
-        !> s [length] and int F ds [modulus length^3] since the beginning
-        real(wp) :: sliding = 0.0_wp, work = 0.0_wp
-        !> s at which the target last began to change or ceased to [length]
-        real(wp) :: steady_from = 0.0_wp
-        !> of the coarser disc [length]
-        real(wp) :: last_step = 0.0_wp
-        !> of n/2 and of n intervals
-        type(disc_t) :: discs(2)
-    end type wear_past_t
 
     !> A contact with its past. It belongs to its user: copies by assignment are independent, and no two threads may advance one
     !> at a time.
@@ -114,7 +101,7 @@ contains
 
     !> A contact that is pressed on and has not slid yet.
     subroutine new_wear_history(self, wear, control, target, error, intervals, both, scheme)
-        type(wear_history_t), intent(out) :: self
+        type(wear_history_t), intent(out), target :: self
         !> copied
         type(wear_t), intent(in) :: wear
         !> given_depth or given_force
@@ -145,6 +132,7 @@ contains
         if (.not. allocated(error)) call find_modulus(self, error)
         if (allocated(error)) return
         call begin(self, n, state%radius, control, target, error)
+        if (.not. allocated(error)) call find_mark(wearing(self), state%radius, self%past%mark, error)
     end subroutine new_wear_history
 
     !> Intervals and scheme.
@@ -318,6 +306,7 @@ contains
 
         call check_not_negative(error, "sliding", sliding)
         if (.not. allocated(error)) call check_target(control, target, error)
+        if (.not. allocated(error)) call check_fits(self%hats, self%past, error)
         if (allocated(error)) return
         past = self%past
         from = merge(self%past%discs(2)%depth, self%past%discs(2)%force, control == given_depth)
@@ -582,7 +571,7 @@ contains
         class(wear_history_t), intent(in) :: self
         integer :: count
 
-        count = saved_numbers + 2*(self%hats(1)%n + self%hats(2)%n + saved_of_disc + 2)
+        count = past_size(self%hats)
     end function saved_size
 
     !> The past as numbers, from which another history of the same contact continues with bitwise identical results.
@@ -590,63 +579,34 @@ contains
         class(wear_history_t), intent(in) :: self
         !> of saved_size()
         real(wp), intent(out) :: numbers(:)
-        integer :: i, n, at
 
-        numbers(:saved_numbers) = [real(self%hats(2)%n, wp), self%past%sliding, self%past%work, &
-                                   self%past%steady_from, self%past%last_step, merge(1.0_wp, 0.0_wp, self%has_rings)]
-        at = saved_numbers
-        do i = 1, 2
-            associate (disc => self%past%discs(i))
-                n = self%hats(i)%n + 1
-                numbers(at + 1:at + saved_of_disc) = [disc%radius, disc%depth, disc%force, disc%extent, disc%growth, disc%response]
-                at = at + saved_of_disc
-                numbers(at + 1:at + n) = disc%pressure
-                numbers(at + n + 1:at + 2*n) = disc%load
-                at = at + 2*n
-            end associate
-        end do
+        call save_past(self%past, self%has_rings, numbers)
     end subroutine save
 
-    !> Continues from saved numbers.
+    !> Continues from saved numbers; after a failure all is as before.
     subroutine restore(self, numbers, error)
-        class(wear_history_t), intent(inout) :: self
-        !> by save(), of a history with as many intervals
+        class(wear_history_t), intent(inout), target :: self
+        !> by save(), of a history of the same contact with as many intervals
         real(wp), intent(in) :: numbers(:)
         type(error_t), allocatable, intent(out) :: error
-        integer :: i, n, at
+        type(wear_past_t) :: past
 
-        if (size(numbers) /= self%saved_size() .or. .not. all(is_finite(numbers))) then
-            call raise(error, error_invalid, "numbers: they do not belong to a history of this contact. There must be "// &
-                       count_text(self%saved_size())//" finite ones, saved by a history with "//count_text(self%hats(2)%n)// &
-                       " intervals")
-            return
-        end if
-        if (nint(numbers(1)) /= self%hats(2)%n .or. (numbers(saved_numbers) > 0.0_wp .neqv. self%has_rings) &
-            .or. any(.not. numbers(saved_numbers + [1, 4, 6]) > 0.0_wp) &
-            .or. any(.not. numbers(saved_numbers + 2*self%hats(1)%n + 2 + saved_of_disc + [1, 4, 6]) > 0.0_wp)) then
-            call raise(error, error_invalid, "numbers: they do not belong to a history of this contact")
-            return
-        end if
-        self%past%sliding = numbers(2)
-        self%past%work = numbers(3)
-        self%past%steady_from = numbers(4)
-        self%past%last_step = numbers(5)
-        at = saved_numbers
-        do i = 1, 2
-            associate (disc => self%past%discs(i))
-                n = self%hats(i)%n + 1
-                disc%radius = numbers(at + 1)
-                disc%depth = numbers(at + 2)
-                disc%force = numbers(at + 3)
-                disc%extent = numbers(at + 4)
-                disc%growth = numbers(at + 5)
-                disc%response = numbers(at + 6)
-                at = at + saved_of_disc
-                disc%pressure(:) = numbers(at + 1:at + n)
-                disc%load(:) = numbers(at + n + 1:at + 2*n)
-                at = at + 2*n
-            end associate
-        end do
+        past = self%past
+        call read_past(wearing(self), numbers, past, error)
+        if (.not. allocated(error)) self%past = past
     end subroutine restore
+
+    !> What wears, for its past.
+    function wearing(self) result(of)
+        class(wear_history_t), intent(in), target :: self
+        type(wearing_t) :: of
+
+        of%contact => self%wear%contact
+        of%hats => self%hats
+        of%rate => self%rate
+        of%has_rings = self%has_rings
+        of%body_coefficient = self%body_coefficient
+        of%deepest = deepest_loss*min(self%thickness, huge(self%thickness))
+    end function wearing
 
 end module mdrcontact_wear_history

@@ -3,7 +3,7 @@
 !> follows from them without an indenter.
 module mdrcontact_line_springs
     use, intrinsic :: iso_c_binding, only: c_int
-    use mdrcontact_error, only: error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_gsl, only: gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_line_kernel, only: kernel_t
@@ -17,6 +17,8 @@ module mdrcontact_line_springs
     real(wp), parameter :: widest = 30.0_wp
     !> Even Legendre polynomials for the interaction of springs: so many, and so many more for each thickness in the contact radius.
     real(wp), parameter :: fewest_waves = 8.0_wp, waves_per_depth = 5.0_wp
+    !> The number of points of their rule grows with the root of that ratio, which here exceeds every use.
+    real(wp), parameter :: longest_contact = 1.0e12_wp
 
     !> Under one load. Free springs, those of a half-space, have a kernel that vanishes.
     type :: springs_t
@@ -95,6 +97,11 @@ contains
 
         if (self%kernel%vanishes) then
             allocate (matrix(0, 0))
+            return
+        end if
+        if (a > longest_contact*self%kernel%unit) then
+            call raise(error, error_no_convergence, "a contact of radius "//to_text(a)//" is too large for a first layer of "// &
+                       "thickness "//to_text(self%kernel%unit))
             return
         end if
         n = min(most, ceiling(min(fewest_waves + waves_per_depth*a/self%kernel%unit, real(most, wp))))
