@@ -208,7 +208,8 @@ contains
         found = state%stiffness
         if (.not. self%is_adhesive()) return
         associate (profile => self%equilibrium%profile)
-            if (profile%has_wall .and. state%radius >= profile%largest_radius*(1.0_wp - 1.0e-12_wp)) return
+            if ((profile%has_wall .or. profile%sharp_radius > 0.0_wp) &
+                .and. state%radius >= profile%largest_radius*(1.0_wp - 1.0e-12_wp)) return
             ! at the edge of a flat end the depth moves before the radius
             if (.not. allocated(self%equilibrium%cohesion) .and. state%radius <= profile%end_radius*(1.0_wp + 1.0e-12_wp)) return
         end associate

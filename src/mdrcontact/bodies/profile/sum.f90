@@ -52,8 +52,9 @@ contains
         self%end_radius = huge(1.0_wp)
         do i = 1, size(terms)
             associate (term => terms(i)%profile)
-                ! the term that ends first has a vertical wall there
+                ! the term that ends first has a vertical wall or a sharp end there
                 if (term%largest_radius <= self%largest_radius) then
+                    self%sharp_radius = term%sharp_radius
                     self%has_wall = term%has_wall .or. (self%has_wall .and. term%largest_radius >= self%largest_radius)
                 end if
                 self%largest_radius = min(self%largest_radius, term%largest_radius)

@@ -67,6 +67,7 @@ contains
         self%singular_radius = base%singular_radius
         self%end_radius = merge(base%end_radius, 0.0_wp, radii(1) > 0.0_wp)
         self%has_wall = base%has_wall
+        self%sharp_radius = base%sharp_radius
         call set_piece(self, 1, 0.0_wp, 0.0_wp, 0.0_wp, depths(1))
         do i = 1, n - 1
             step = radii(i + 1) - radii(i)

@@ -60,7 +60,8 @@ contains
     end subroutine new_branch
 
     !> The stable segments under a control, in ascending order of the contact radius. The last reaches to the end of the
-    !> indenter or medium, or climbs its vertical wall without end.
+    !> indenter or medium, climbs its vertical wall without end, or rests at the edge of an imprint up to its largest load
+    !> (theory/plastic.md (3.2)).
     subroutine find_segments(self, equilibrium, control, list, error)
         class(branch_t), intent(in) :: self
         type(equilibrium_t), intent(in), target :: equilibrium
@@ -78,7 +79,7 @@ contains
                                                                    equilibrium%coordinate_of(equilibrium%last_radius), list, error)
             if (allocated(error)) return
         end if
-        if (.not. equilibrium%profile%has_wall) return
+        if (.not. (equilibrium%profile%has_wall .or. equilibrium%ends_sharply())) return
         if (equilibrium%last_radius < equilibrium%profile%largest_radius*(1.0_wp - 1.0e-12_wp)) return
         wall%at_wall = .true.
         wall%first = equilibrium%coordinate_of(equilibrium%last_radius)
@@ -86,6 +87,9 @@ contains
         call equilibrium%at(equilibrium%last_radius, end_state, error)
         wall%lowest = control%of(end_state%depth, end_state%force)
         wall%highest = huge(1.0_wp)
+        ! at the edge of an imprint from the largest load on
+        if (equilibrium%ends_sharply()) wall%highest = control%of(end_state%depth - end_state%punch_depth, &
+                                                                  end_state%force - end_state%stiffness*end_state%punch_depth)
         if (size(list) > 0) then
             if (list(size(list))%last >= wall%first) list(size(list))%highest = wall%lowest
         end if
@@ -191,7 +195,8 @@ contains
         type(contact_state_t), intent(in) :: from, to
         real(wp) :: work
 
-        if (equilibrium%profile%has_wall .and. min(from%radius, to%radius) >= equilibrium%last_radius) then
+        if ((equilibrium%profile%has_wall .or. equilibrium%ends_sharply()) &
+            .and. min(from%radius, to%radius) >= equilibrium%last_radius) then
             work = 0.5_wp*(from%force + to%force)*(to%depth - from%depth)
         else
             work = self%curve%work_between(equilibrium%coordinate_of(from%radius), equilibrium%coordinate_of(to%radius))

@@ -91,6 +91,10 @@ contains
             call raise(error, error_invalid, ": an indenter with a vertical wall has no gap next to the contact. Omit it: the "// &
                        "JKR limit applies", "cohesive_stress")
         end if
+        if (profile%sharp_radius > 0.0_wp) then
+            call raise(error, error_invalid, ": the profile of an imprint is not defined next to the largest contact. Omit it: "// &
+                       "the JKR limit applies", "cohesive_stress")
+        end if
         call check_springs(medium, "the load of a cohesive zone (cohesive_stress) is", error)
         if (allocated(error)) return
         self%kernel = medium%springs%kernel

@@ -7,6 +7,7 @@
 !> close to a straight line (theory/paper.md (4.1), (5.1)): d = d0 - dl, F = F0 - k dl.
 module mdrcontact_contact_curve
     use mdrcontact_contact_control, only: control_t, depth_control
+    use mdrcontact_contact_coordinate, only: coordinate_t
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_samples, only: curve_point_t, rows, samples_t
     use mdrcontact_contact_state, only: contact_state_t
@@ -36,8 +37,8 @@ module mdrcontact_contact_curve
 
     !> The sampled equilibria.
     type, extends(samples_t) :: curve_t
-        !> radius of the indenter's flat end [length]
-        real(wp) :: end_radius = 0.0_wp
+        !> of contact radii
+        type(coordinate_t) :: coordinate
         logical :: adhesive = .false.
     contains
         procedure :: point_of
@@ -73,7 +74,7 @@ contains
         type(parts_t) :: source
         type(sampling_t) :: sampling
 
-        self%end_radius = equilibrium%profile%end_radius
+        self%coordinate = equilibrium%coordinate()
         self%adhesive = equilibrium%work_of_adhesion > 0.0_wp
         self%follows_powers = .true.
         sampling = sampling_t(tolerance, equilibrium%roughness, usual_length)
@@ -113,7 +114,7 @@ contains
             call self%control_of(depth_control, right, dv, unused, slopes(2))
             if (above%depth < below%depth .and. all(slopes < 0.0_wp)) cycle
             call raise(error, error_no_convergence, "the contact modulus has a kink at radius = "// &
-                       to_text(self%end_radius + exp(self%edges(i)))//": by the energy balance the contact edge rests there "// &
+                       to_text(self%coordinate%radius(self%edges(i)))//": by the energy balance the contact edge rests there "// &
                        "while depth and force change. Smooth the modulus, or use the adhesion rule paper")
             return
         end do
@@ -175,7 +176,7 @@ contains
         e = exp(v)
         if (.not. self%adhesive) e(of_excess) = 0.0_wp
         point%x = x
-        point%radius = self%end_radius + exp(x)
+        point%radius = self%coordinate%radius(x)
         point%depth = e(of_depth) - e(of_excess)
         point%force = e(of_force) - e(of_stiffness)*e(of_excess)
         point%stiffness = e(of_stiffness)
@@ -213,7 +214,7 @@ contains
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
 
-        call equilibrium%at(self%end_radius + exp(x), state, error)
+        call equilibrium%at(self%coordinate%radius(x), state, error)
     end subroutine state_at
 
     !> Puts instead of depth and stiffness the shift S = int dF/k_t under which the contact would begin to slide if its coefficient

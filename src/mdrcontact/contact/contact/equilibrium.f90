@@ -10,6 +10,7 @@ module mdrcontact_contact_equilibrium
     use mdrcontact_object, only: object_t
     use mdrcontact_codes, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_contact_cohesion, only: cohesion_t
+    use mdrcontact_contact_coordinate, only: coordinate_t, coordinate_under
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_scaled_profile, only: new_scaled_profile, scaled_profile_t
     use mdrcontact_error, only: error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
@@ -57,8 +58,10 @@ module mdrcontact_contact_equilibrium
         procedure :: at
         procedure :: parts
         procedure :: add_breaks
+        procedure :: coordinate
         procedure :: radius_of
         procedure :: coordinate_of
+        procedure :: ends_sharply
         procedure :: why_it_ends
         procedure :: bytes
     end type equilibrium_t
@@ -186,7 +189,8 @@ contains
         !> of ln d0, ln F0 and ln k over the coordinate; 0 where d0'(a) is not known
         real(wp), intent(out), optional :: slopes(3)
         type(solved_t) :: solved
-        real(wp) :: modulus
+        type(coordinate_t) :: coordinate
+        real(wp) :: modulus, rate
 
         state%radius = radius
         call self%medium%solve(self%profile, radius, solved, error, adhesive=self%work_of_adhesion > 0.0_wp)
@@ -196,9 +200,11 @@ contains
         state%stiffness = 2.0_wp*radius*solved%modulus
         if (present(slopes)) then
             if (.not. self%medium%is_exact) solved%depth_slope = self%profile%mdr_slope(radius)
+            coordinate = self%coordinate()
+            rate = coordinate%rate(radius)
             ! property B (theory/exact.md (1.7)): dF = k dd
             slopes = [solved%depth_slope/state%depth, state%stiffness*solved%depth_slope/state%force, &
-                      solved%stiffness_slope/state%stiffness]*(radius - self%profile%end_radius)
+                      solved%stiffness_slope/state%stiffness]*rate
             if (.not. (solved%depth_slope > 0.0_wp .and. all(is_finite(slopes)))) slopes = 0.0_wp
         end if
         if (.not. self%work_of_adhesion > 0.0_wp) return
@@ -215,21 +221,41 @@ contains
         state%punch_depth = -sqrt(2.0_wp*pi*radius*self%work_of_adhesion/modulus)
     end subroutine parts
 
-    !> The radius at coordinate x = ln(a - end radius), in which every shape's laws are close to straight lines.
+    !> The coordinate of contact radii in which every shape's laws are close to straight lines.
+    pure function coordinate(self)
+        class(equilibrium_t), intent(in) :: self
+        type(coordinate_t) :: coordinate
+
+        coordinate = coordinate_under(self%profile)
+    end function coordinate
+
+    !> Whether its largest contact is that of an imprint at the largest load, at whose edge an adhesive contact rests.
+    pure function ends_sharply(self) result(answer)
+        class(equilibrium_t), intent(in) :: self
+        logical :: answer
+
+        answer = self%profile%sharp_radius > 0.0_wp .and. self%last_radius >= self%profile%sharp_radius
+    end function ends_sharply
+
+    !> The radius at a coordinate.
     pure function radius_of(self, x) result(radius)
         class(equilibrium_t), intent(in) :: self
         real(wp), intent(in) :: x
         real(wp) :: radius
+        type(coordinate_t) :: coordinate
 
-        radius = min(self%profile%end_radius + exp(x), self%last_radius)
+        coordinate = self%coordinate()
+        radius = min(coordinate%radius(x), self%last_radius)
     end function radius_of
 
     pure function coordinate_of(self, radius) result(x)
         class(equilibrium_t), intent(in) :: self
         real(wp), intent(in) :: radius
         real(wp) :: x
+        type(coordinate_t) :: coordinate
 
-        x = log(max(radius - self%profile%end_radius, tiny(1.0_wp)))
+        coordinate = self%coordinate()
+        x = coordinate%of(radius)
     end function coordinate_of
 
     !> Remedy in a message that the last radius would be passed.
@@ -238,10 +264,11 @@ contains
         character(len=reason_length) :: words
 
         words = ""
+        if (self%ends_sharply()) words = ". Beyond the largest load of an imprint the body yields again"
         if (self%last_radius >= self%medium%largest_radius) words = self%medium%why_it_ends
     end function why_it_ends
 
-    !> Largest contact radius: to a vertical wall, or one rounding below the profile's end, which may be a vertical tangent that
+    !> Largest contact radius: to a vertical wall or a sharp end, or one rounding below the profile's end, which may be a vertical tangent that
     !> media with a unit of length of their own must not reach by rounding; far below the end of the number range.
     pure function largest_contact_radius(profile, medium) result(radius)
         class(profile_t), intent(in) :: profile
@@ -249,7 +276,7 @@ contains
         real(wp) :: radius
 
         radius = profile%largest_radius
-        if (.not. profile%has_wall) radius = radius*(1.0_wp - 4.0_wp*epsilon(radius))
+        if (.not. (profile%has_wall .or. profile%sharp_radius >= radius)) radius = radius*(1.0_wp - 4.0_wp*epsilon(radius))
         radius = min(radius, medium%largest_radius, largest_number)
     end function largest_contact_radius
 

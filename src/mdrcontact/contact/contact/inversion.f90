@@ -2,6 +2,7 @@
 !> From a given depth or force to the non-adhesive state: the contact radius that has it, found where every law is nearly straight.
 module mdrcontact_contact_inversion
     use mdrcontact_contact_control, only: control_t
+    use mdrcontact_contact_coordinate, only: coordinate_t
     use mdrcontact_contact_range, only: first_guess
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_equilibrium, only: equilibrium_t
@@ -58,6 +59,8 @@ module mdrcontact_contact_inversion
     !> Parts of the medium's largest radius: wider states cost much where they are solved for, and may fail; near the other
     !> one, states are as those of the surface alone.
     real(wp), parameter :: wide = 1.0e-2_wp, narrow = 1.0e-7_wp
+    !> A value of s may differ by this part of itself from that at the largest load of an imprint, which has been solved for.
+    real(wp), parameter :: largest_rounding = 1.0e-9_wp
     !> So far below the coordinate from which on the depth falls a search begins that would begin beyond it.
     real(wp), parameter :: before_top = 0.5_wp
 
@@ -88,6 +91,12 @@ contains
                 call extend_at_constant_radius(state, control, s, state%punch_depth)
                 return
             end if
+        end if
+        if (equilibrium%ends_sharply()) then
+            call equilibrium%at(equilibrium%last_radius, state, error)
+            if (allocated(error)) return
+            ! the state of the largest load itself
+            if (abs(s - control%of(state%depth, state%force)) <= largest_rounding*s) return
         end if
         mismatch%equilibrium => equilibrium
         mismatch%control = control
@@ -334,19 +343,21 @@ contains
         real(wp), intent(in) :: first, last
         real(wp), intent(out) :: guess
         type(error_t), allocatable, intent(out) :: error
+        type(coordinate_t) :: coordinate
         real(wp) :: low, high, radius, modulus(1), s, rate, step
         integer :: i
 
         low = first
         high = last
         guess = min(max(first, first_guess), last - 1.0_wp)
+        coordinate = mismatch%equilibrium%coordinate()
         associate (equilibrium => mismatch%equilibrium, profile => mismatch%equilibrium%profile, control => mismatch%control)
             call equilibrium%medium%modulus([equilibrium%radius_of(guess)], modulus, error)
             if (allocated(error)) return
             do i = 1, most_steps
                 radius = equilibrium%radius_of(guess)
                 s = max(control%of(profile%mdr(radius), 2.0_wp*modulus(1)*profile%mdr_moment(radius)), tiny(s))
-                rate = exp(guess)*profile%mdr_slope(radius)*control%of(1.0_wp, 2.0_wp*radius*modulus(1))/s
+                rate = coordinate%rate(radius)*profile%mdr_slope(radius)*control%of(1.0_wp, 2.0_wp*radius*modulus(1))/s
                 step = -log(s/mismatch%target_value)
                 if (step > 0.0_wp) then
                     low = guess
@@ -378,10 +389,12 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
         type(solved_t) :: solved
+        type(coordinate_t) :: coordinate
         real(wp) :: radius, formula, s
 
         y = 0.0_wp
         radius = self%equilibrium%radius_of(x)
+        coordinate = self%equilibrium%coordinate()
         formula = -1.0_wp
         if (.not. self%equilibrium%medium%is_exact) formula = self%equilibrium%profile%mdr_slope(radius)
         ! Where the depth is a formula the force, an integral, is not computed.
@@ -402,7 +415,7 @@ contains
         end if
         s = max(self%control%of(solved%depth, solved%force), tiny(s))
         y = log(s/self%target_value)
-        self%known_slope = exp(x)*solved%depth_slope*self%control%of(1.0_wp, 2.0_wp*radius*solved%modulus)/s
+        self%known_slope = coordinate%rate(radius)*solved%depth_slope*self%control%of(1.0_wp, 2.0_wp*radius*solved%modulus)/s
         ! Unknown to both formula and solution; or infinite, as d' at the edge of a flat end.
         if (solved%depth_slope < 0.0_wp .and. solved%depth_slope == formula) self%known_slope = 0.0_wp
         ! And that of ln s says nothing where rounding has left nothing of s, next to a flat end.

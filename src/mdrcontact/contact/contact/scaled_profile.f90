@@ -55,6 +55,7 @@ contains
         self%singular_radius = profile%singular_radius
         self%end_radius = profile%end_radius
         self%has_wall = profile%has_wall
+        self%sharp_radius = profile%sharp_radius
         call gauss_legendre(self%t, self%w, error)
         if (allocated(error)) return
         call self%add_breaks(breaks, error)

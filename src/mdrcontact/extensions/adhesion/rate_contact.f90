@@ -122,6 +122,9 @@ contains
         if (equilibrium%profile%end_radius > 0.0_wp) then
             call raise(error, error_invalid, "indenter: it has a flat end of radius "//to_text(equilibrium%profile%end_radius)// &
                        ", which excludes a rate-dependent work of adhesion. Use an indenter without a flat end")
+        else if (equilibrium%profile%sharp_radius > 0.0_wp) then
+            call raise(error, error_invalid, "indenter: it is an imprint, whose edge rests and so excludes a rate-dependent "// &
+                       "work of adhesion. Use a constant work_of_adhesion")
         else if (largest_radius > equilibrium%last_radius) then
             call raise(error, error_domain, " = "//to_text(largest_radius)//": indenter and medium are defined up to "// &
                        to_text(equilibrium%last_radius)//trim(equilibrium%why_it_ends()), "largest_radius")
@@ -154,7 +157,7 @@ contains
         real(wp), intent(in) :: radius
         real(wp) :: x
 
-        x = log(max(radius - self%curve%end_radius, tiny(1.0_wp)))
+        x = self%curve%coordinate%of(radius)
     end function coordinate_of
 
     !> The contact with its edge at x while s is controlled.
@@ -167,7 +170,7 @@ contains
         real(wp) :: p(4), dp(4), give, by_x
 
         call self%curve%parts(x, p, dp)
-        here%radius = self%curve%end_radius + exp(x)
+        here%radius = self%curve%coordinate%radius(x)
         give = control%of(1.0_wp, p(3))
         here%opening = (control%of(p(1), p(2)) - s)/give
         by_x = (control%of(dp(1), dp(2)) - here%opening*control%of(0.0_wp, dp(3)))/give

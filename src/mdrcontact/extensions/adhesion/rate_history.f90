@@ -114,7 +114,7 @@ contains
             call rest(contact, control, s, now%x, error)
             if (allocated(error)) return
             now%touches = .true.
-            state%radius = contact%curve%end_radius + exp(now%x)
+            state%radius = contact%curve%coordinate%radius(now%x)
             call note_force(state, contact%edge(control, s, now%x), time, 0.0_wp)
         else if (state%radius > 0.0_wp) then
             now%touches = .true.

@@ -8,6 +8,7 @@ module mdrcontact_conduction_along
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_fields, only: conductance_at
     use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_coordinate, only: coordinate_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
@@ -48,6 +49,7 @@ contains
         if (allocated(error)) return
         associate (equilibrium => contact%equilibrium)
             if (equilibrium%profile%has_wall .and. state%radius >= equilibrium%profile%largest_radius) return
+            if (equilibrium%ends_sharply() .and. state%radius >= equilibrium%last_radius) return
         end associate
         call rates_of(contact, state%radius, rates, error)
         if (allocated(error)) return
@@ -62,6 +64,7 @@ contains
         real(wp), intent(out) :: rates(2)
         type(error_t), allocatable, intent(inout) :: error
         type(contact_state_t) :: state
+        type(coordinate_t) :: coordinate
         real(wp) :: slopes(3), excess(-2:2), load(-2:2)
         integer :: i
 
@@ -69,7 +72,8 @@ contains
         associate (equilibrium => contact%equilibrium)
             call equilibrium%parts(a, state, error, slopes)
             if (allocated(error)) return
-            rates = [state%depth, state%force]*slopes(:2)/(a - equilibrium%profile%end_radius)
+            coordinate = equilibrium%coordinate()
+            rates = [state%depth, state%force]*slopes(:2)/coordinate%rate(a)
             if (.not. all(rates > 0.0_wp)) then
                 call raise(error, error_invalid, "the depth of this medium has no slope over the contact radius")
                 return

@@ -183,7 +183,7 @@ contains
                     /(self%log_depths(panel + 1) - self%log_depths(panel))
                 values = exp(series_value(self%series(:, :, panel), z))
                 force = values(1)
-                radius = self%curve%end_radius + values(2)
+                radius = self%curve%coordinate%end_radius + values(2)
                 return
             end if
         end if
