@@ -108,7 +108,7 @@ module mdrcontact
     use mdrcontact_conduction_source, only: sliding, spinning
     use mdrcontact_conduction_table, only: tabulate_conductance
     use mdrcontact_conduction_transient, only: gaussian, uniform_centre, uniform_mean
-    use mdrcontact_plastic_imprint, only: imprint_t, new_imprint
+    use mdrcontact_plastic_imprint, only: imprint_t, new_imprint, new_imprint_from_pressure, new_imprint_of_two_terms
     use mdrcontact_plastic_profile, only: imprint_profile_t
     use mdrcontact_poroelastic_gel, only: drains_by_surface, sealed, sealed_by_indenter
     use mdrcontact_poroelastic_compliance, only: poroelastic_compliance

@@ -20,6 +20,7 @@ __all__ = [
     "BeyondRangeWarning",
     "LargeStrainWarning",
     "UnitsWarning",
+    "PlasticityWarning",
     "ShortZoneWarning",
     "InteriorAccuracyWarning",
     "AdhesionRateWarning",
@@ -279,6 +280,23 @@ class UnitsWarning(MDRWarning):
     ...     state = mdr.Contact(mdr.Sphere(10e-6), film).at_depth(1e-9)
     >>> print({one.category.__name__ for one in issued})
     {'UnitsWarning'}
+    """
+
+
+class PlasticityWarning(MDRWarning):
+    """A plastic result at the end of the range in which it holds.
+
+    Unloading yields again (`Imprint.reverse_yield`), or measured numbers contradict the pressure by a little.
+
+    Examples
+    --------
+    >>> import warnings
+    >>> imprint = mdr.plastic.Imprint.from_two_terms(mdr.Homogeneous(mdr.Elastic(200e9, 0.3)), 1e-5, 2.5e9, 1.2e9)
+    >>> with warnings.catch_warnings(record=True) as issued:
+    ...     warnings.simplefilter("always")
+    ...     ratio, layer = imprint.reverse_yield(1e9)
+    >>> print(issued[0].category.__name__)
+    PlasticityWarning
     """
 
 

@@ -3,12 +3,13 @@
 !>
 !> The line load at the largest load is a polynomial in the edge coordinate s = sqrt(1 - u^2), u = x/A. It has two terms for the
 !> pressure pu + ph sqrt(1 - r^2/A^2) (theory/plastic.md (2.1)). Then g(x) = [q(0) - q(x)]/E0* is a closed form, and f(r) one by
-!> complete elliptic integrals.
+!> complete elliptic integrals. Layers below the surface add a smooth function of u^2, a polynomial with those of f and the moment.
 module mdrcontact_plastic_profile
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_error, only: check_memory, error_t
-    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_nonfinite, only: infinity
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_object, only: real_bytes
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -20,6 +21,9 @@ module mdrcontact_plastic_profile
     integer, parameter :: terms_near_axis = 15
     !> Steps of the arithmetic-geometric mean, which doubles its digits in each, at most.
     integer, parameter :: most_steps = 12
+    integer, parameter :: of_mdr = 1, of_height = 2, of_moment = 3
+    !> Coefficients of layers that are smaller than this part of the largest are left out.
+    real(wp), parameter :: negligible = 1.0e-16_wp
 
     !> It ends at the contact radius A of the largest load, where its slope is infinite if the pressure there is not 0.
     type, extends(profile_t) :: imprint_profile_t
@@ -28,6 +32,9 @@ module mdrcontact_plastic_profile
         real(wp), allocatable :: loads(:)
         !> sum of loads(k) over k > j, j = 0, 1, ... [length]
         real(wp), allocatable :: tails(:)
+        !> what layers add to g is u^2 times a sum of T_k(2 u^2 - 1), to f the same of r/A, to the moment u^3 times one: their
+        !> coefficients (k, of_mdr | of_height | of_moment) [length]
+        real(wp), allocatable :: layers(:, :)
     contains
         procedure :: height
         procedure :: slope
@@ -41,13 +48,15 @@ module mdrcontact_plastic_profile
 contains
 
     !> The imprint of a line load that falls from the axis to 0 at A.
-    subroutine new_imprint_profile(self, radius, loads, error)
+    subroutine new_imprint_profile(self, radius, loads, error, layers)
         type(imprint_profile_t), intent(out) :: self
         !> A > 0 [length]
         real(wp), intent(in) :: radius
         !> of q/E0* = sum_k loads(k) s^k, at least 2 [length]
         real(wp), intent(in) :: loads(:)
         type(error_t), allocatable, intent(inout) :: error
+        !> what layers add to g, over u^2, at the nodes cos(pi (i - 1/2)/n) of 2 u^2 - 1 [length]
+        real(wp), intent(in), optional :: layers(:)
         integer :: j, stat
 
         allocate (self%loads(size(loads)), self%tails(0:size(loads) - 1), stat=stat)
@@ -58,14 +67,96 @@ contains
             self%tails(j) = sum(loads(j + 1:))
         end do
         self%largest_radius = radius
+        self%sharp_radius = radius
         if (any(abs(loads(1::2)) > 0.0_wp)) self%singular_radius = radius
+        if (present(layers)) call set_layers(self, layers, error)
     end subroutine new_imprint_profile
+
+    !> The polynomials of layers from values of the first: height and moment are integrals of g along the radius, of the same degree.
+    subroutine set_layers(self, values, error)
+        type(imprint_profile_t), intent(inout) :: self
+        !> see new_imprint_profile
+        real(wp), intent(in) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: coefficients(size(values)), square(size(values)), t(size(values) + 2), w(size(values) + 2), sines(size(t))
+        integer :: i, n, stat
+
+        n = size(values)
+        coefficients = series_of(values)
+        n = findloc(abs(coefficients) > negligible*maxval(abs(coefficients)), .true., dim=1, back=.true.)
+        if (n == 0) return
+        allocate (self%layers(n, 3), stat=stat)
+        call check_memory(error, stat)
+        call gauss_legendre(t, w, error)
+        if (allocated(error)) return
+        self%layers(:, of_mdr) = coefficients(:n)
+        sines = [(sin(half_pi*(i - 0.5_wp)/size(t))**2, i=1, size(t))]
+        square(:n) = [(0.5_wp*(1.0_wp + cos(pi*(i - 0.5_wp)/n)), i=1, n)]
+        self%layers(:, of_height) = series_of([(sum(sines*sum_of(self%layers(:, of_mdr), square(i)*sines))/size(t), i=1, n)])
+        self%layers(:, of_moment) = self%layers(:, of_mdr) &
+            - series_of([(sum(w*t**2*sum_of(self%layers(:, of_mdr), square(i)*t**2)), i=1, n)])
+    end subroutine set_layers
+
+    !> Coefficients of T_k from values at the nodes cos(pi (i - 1/2)/n).
+    pure function series_of(values) result(c)
+        real(wp), intent(in) :: values(:)
+        real(wp) :: c(size(values))
+        integer :: i, k, n
+
+        n = size(values)
+        do k = 1, n
+            c(k) = merge(1.0_wp, 2.0_wp, k == 1)/n*sum(values*[(cos(pi*(k - 1)*(i - 0.5_wp)/n), i=1, n)])
+        end do
+    end function series_of
+
+    !> Sum of c(k) T_(k-1)(2 square - 1), by Clenshaw.
+    pure function sum_of(c, square) result(y)
+        real(wp), intent(in) :: c(:), square(:)
+        real(wp), dimension(size(square)) :: y
+        real(wp), dimension(size(square)) :: z, before, other
+        integer :: k
+
+        z = 2.0_wp*(2.0_wp*square - 1.0_wp)
+        y = 0.0_wp
+        before = 0.0_wp
+        do k = size(c), 2, -1
+            other = y
+            y = c(k) + z*y - before
+            before = other
+        end do
+        y = c(1) + 0.5_wp*z*y - before
+    end function sum_of
+
+    !> The same at one place, and its slope over `square`.
+    pure subroutine sum_and_slope(c, square, y, slope)
+        real(wp), intent(in) :: c(:), square
+        real(wp), intent(out) :: y, slope
+        real(wp) :: z, before, other, slope_before
+        integer :: k
+
+        z = 2.0_wp*(2.0_wp*square - 1.0_wp)
+        y = 0.0_wp
+        before = 0.0_wp
+        slope = 0.0_wp
+        slope_before = 0.0_wp
+        do k = size(c), 2, -1
+            other = slope
+            slope = 2.0_wp*y + z*slope - slope_before
+            slope_before = other
+            other = y
+            y = c(k) + z*y - before
+            before = other
+        end do
+        slope = 2.0_wp*(y + 0.5_wp*z*slope - slope_before)
+        y = c(1) + 0.5_wp*z*y - before
+    end subroutine sum_and_slope
 
     pure recursive function bytes(self)
         class(imprint_profile_t), intent(in) :: self
         integer(int64) :: bytes
 
         bytes = 2*real_bytes*size(self%loads)
+        if (allocated(self%layers)) bytes = bytes + real_bytes*size(self%layers)
     end function bytes
 
     !> (2/pi) sum_k loads(k) (pi/2 - int Delta^k dtheta): theory/plastic.md (2.7).
@@ -73,17 +164,19 @@ contains
         class(imprint_profile_t), intent(in) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: rest(-1:size(self%loads))
+        real(wp) :: rest(-1:size(self%loads)), modulus
 
-        call find_rests(min(x/self%largest_radius, 1.0_wp), rest)
+        modulus = min(x/self%largest_radius, 1.0_wp)
+        call find_rests(modulus, rest)
         y = 2.0_wp/pi*sum(self%loads*rest(1:))
+        if (allocated(self%layers)) y = y + added(self, of_height, modulus)*modulus**2
     end function height
 
     elemental function slope(self, x) result(y)
         class(imprint_profile_t), intent(in) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: rest(-1:size(self%loads)), modulus
+        real(wp) :: rest(-1:size(self%loads)), modulus, more, more_slope
         integer :: k
 
         y = 0.0_wp
@@ -93,7 +186,12 @@ contains
         do k = 1, size(self%loads)
             if (abs(self%loads(k)) > 0.0_wp) y = y + k*self%loads(k)*(rest(k) - rest(k - 2))
         end do
-        y = 2.0_wp/pi*y/modulus/self%largest_radius
+        y = 2.0_wp/pi*y/modulus
+        if (allocated(self%layers)) then
+            call sum_and_slope(self%layers(:, of_height), modulus**2, more, more_slope)
+            y = y + 2.0_wp*modulus*(more + modulus**2*more_slope)
+        end if
+        y = y/self%largest_radius
     end function slope
 
     !> R(k) = int_0^(pi/2) (1 - Delta^k) dtheta, Delta^2 = 1 - m^2 sin^2 theta, for k = -1, 0, 1, ... without cancellation near the
@@ -155,13 +253,26 @@ contains
             y = y*s + self%tails(j)
         end do
         y = y*u**2/(1.0_wp + s)
+        if (allocated(self%layers)) y = y + added(self, of_mdr, u)*u**2
     end function mdr
+
+    !> The sum of a column of `layers` at u.
+    pure function added(self, column, u) result(y)
+        class(imprint_profile_t), intent(in) :: self
+        integer, intent(in) :: column
+        real(wp), intent(in) :: u
+        real(wp) :: y
+        real(wp) :: values(1)
+
+        values = sum_of(self%layers(:, column), [u**2])
+        y = values(1)
+    end function added
 
     elemental function mdr_slope(self, x) result(y)
         class(imprint_profile_t), intent(in) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: s, u
+        real(wp) :: s, u, more, more_slope
         integer :: k
 
         call edge_coordinate(self, x, u, s)
@@ -176,7 +287,12 @@ contains
                 y = infinity
             end if
         end if
-        y = y*u/self%largest_radius
+        y = y*u
+        if (allocated(self%layers)) then
+            call sum_and_slope(self%layers(:, of_mdr), u**2, more, more_slope)
+            y = y + 2.0_wp*u*(more + u**2*more_slope)
+        end if
+        y = y/self%largest_radius
     end function mdr_slope
 
     !> A sum_k k loads(k) M(k - 1), M(j) = int sin^2 cos^j, (j + 2) M(j) = u^3 s^(j - 1) + (j - 1) M(j - 2).
@@ -202,6 +318,7 @@ contains
             end if
             power = power*s
         end do
+        if (allocated(self%layers)) y = y + added(self, of_moment, u)*u**3
         y = y*self%largest_radius
     end function mdr_moment
 
@@ -245,7 +362,7 @@ contains
         real(wp) :: linear, root, t
 
         radius = -1.0_wp
-        if (size(self%loads) > 2) return
+        if (size(self%loads) > 2 .or. allocated(self%layers)) return
         linear = self%loads(1) + 2.0_wp*self%loads(2)
         root = linear**2 - 4.0_wp*self%loads(2)*depth
         if (root < 0.0_wp) return
