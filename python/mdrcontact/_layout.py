@@ -380,6 +380,20 @@ friction_heat = np.dtype(
     ],
     align=True,
 )
+imprint_facts = np.dtype(
+    [
+        ("size", np.uintp),
+        ("radius", np.float64),
+        ("force", np.float64),
+        ("depth", np.float64),
+        ("residual_depth", np.float64),
+        ("recovered_work", np.float64),
+        ("uniform", np.float64),
+        ("hertz", np.float64),
+        ("misfit", np.float64),
+    ],
+    align=True,
+)
 structure_options = np.dtype(
     [
         ("size", np.uintp),
@@ -727,7 +741,12 @@ POINTERS = {
     "poroelastic_history": (0,),
     "poroelastic_dynamic_stiffness": (0,),
     "poroelastic_pressure": (0,),
+    "imprint_new": (0,),
     "imprint_two_terms": (0,),
+    "imprint_from_pressure": (0,),
+    "imprint_profile": (0,),
+    "imprint_about": (0, 1),
+    "imprint_reverse_yield": (0,),
     "structure_shapes": (6,),
     "structure_voxels": (1, 7),
     "structure_function": (0, 1, 3),

@@ -6,7 +6,8 @@ module mdrcontact_api_records
     private
     public :: c_failure_t, c_parameter_t, c_layer_t, c_surface_t, c_model_facts_t, c_medium_options_t, c_contact_options_t, &
               c_loop_facts_t, c_maximum_t, c_strength_t, c_failure_load_t, c_shear_facts_t, c_law_options_t, c_law_facts_t, &
-              c_rate_options_t, c_wear_options_t, c_structure_options_t, c_fit_parameter_t, c_fit_problem_t, c_fit_summary_t
+              c_rate_options_t, c_wear_options_t, c_imprint_facts_t, c_structure_options_t, c_fit_parameter_t, c_fit_problem_t, &
+              c_fit_summary_t
 
     !> struct mdr_failure
     type, bind(C) :: c_failure_t
@@ -202,6 +203,19 @@ module mdrcontact_api_records
         integer(c_int) :: places = 0_c_int
         integer(c_int) :: scheme = 0_c_int
     end type c_wear_options_t
+
+    !> struct mdr_imprint_facts
+    type, bind(C) :: c_imprint_facts_t
+        integer(c_size_t) :: size = 0_c_size_t
+        real(c_double) :: radius = 0.0_c_double
+        real(c_double) :: force = 0.0_c_double
+        real(c_double) :: depth = 0.0_c_double
+        real(c_double) :: residual_depth = 0.0_c_double
+        real(c_double) :: recovered_work = 0.0_c_double
+        real(c_double) :: uniform = 0.0_c_double
+        real(c_double) :: hertz = 0.0_c_double
+        real(c_double) :: misfit = 0.0_c_double
+    end type c_imprint_facts_t
 
     !> struct mdr_structure_options
     type, bind(C) :: c_structure_options_t
