@@ -79,6 +79,8 @@ contains
         real(wp) :: slope
 
         if (equilibrium%profile%has_wall .and. state%radius >= equilibrium%profile%largest_radius) return
+        ! the slope at the edge of an imprint is infinite, in a neighbourhood without extent
+        if (equilibrium%ends_sharply() .and. state%radius >= equilibrium%last_radius) return
         slope = equilibrium%profile%slope(state%radius)
         if (slope <= largest_slope) return
         call add(found, warning_slope, "the indenter's surface has a slope of "//to_text(slope)// &

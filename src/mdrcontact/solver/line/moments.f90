@@ -13,7 +13,7 @@ module mdrcontact_line_moments
     use mdrcontact_line_rule, only: largest_rule, new_rule, rule_t
     use mdrcontact_line_series, only: add_projections
     use mdrcontact_line_slip_profile, only: slip_profile_t
-    use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
+    use mdrcontact_numerics_quadrature, only: graded_rule, merge_breaks, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -24,6 +24,8 @@ module mdrcontact_line_moments
     !> Contribution relative to g(a) below which nothing towards the axis counts.
     real(wp), parameter :: negligible = 1.0e-18_wp
     integer, parameter :: most_intervals = 40
+    !> Where a break is put under an imprint, which has none [a].
+    real(wp), parameter :: first_break = 0.5_wp
 
 contains
 
@@ -104,6 +106,8 @@ contains
         integer :: i, k
 
         call profile%add_breaks(breaks, error)
+        ! intervals shrink towards the axis and, behind the first break, towards a singular end
+        if (profile%sharp_radius > 0.0_wp) call merge_breaks(breaks, [first_break*a], error)
         if (allocated(error)) return
         breaks = [breaks(:count(breaks < a)), a]
         low = 0.0_wp
