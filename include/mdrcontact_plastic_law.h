@@ -334,7 +334,10 @@ MDR_INLINE double mdr_plastic_loss(const mdr_plastic_view *view, double deepest)
     double t, rate, tension = 0.0;
     if (!(deepest > view->yield)) return 0.0;
     const mdr_plastic_imprint imprint = mdr_plastic_imprint_of(view, deepest);
-    if (view->tension) tension = mdr_law_polynomial(view->tension + 8 * mdr_plastic_panel(view, deepest, &t, &rate), t);
+    if (view->tension) {
+        const size_t panel = mdr_plastic_panel(view, deepest, &t, &rate);
+        tension = mdr_law_polynomial(view->tension + 8 * panel, t);
+    }
     return mdr_plastic_work(view, deepest) - view->modulus * mdr_plastic_energy_at(&imprint, 0.0, 1.0) - tension;
 }
 

@@ -2,9 +2,9 @@
 !> The contact law of a body that yields: force, slope and radius of many contacts over the depth, each of which remembers its
 !> largest depth (theory/plastic.md (9.1)).
 !>
-!> A contact that has not yielded is that of the elastic law. On first loading the force is a polynomial of the depth; below the
-!> largest depth the contact is elastic, with the imprint that the largest depth has left, in closed form. With adhesion the contact
-!> also remembers whether it is closed, and the energy that its jumps have lost.
+!> A contact that has not yielded is that of the elastic law. On first loading the force is a polynomial of the depth. Below the
+!> largest depth the contact is elastic, with the imprint that the largest depth has left, in closed form. With adhesion the
+!> contact also remembers whether it is closed, and the energy that its jumps have lost.
 !>
 !> include/mdrcontact_plastic_law.h evaluates a law; law/kernel.c calls it.
 module mdrcontact_plastic_law
@@ -34,8 +34,8 @@ module mdrcontact_plastic_law
         real(wp), allocatable :: buffer(:)
         !> the elastic law that the buffer holds
         type(law_table_t) :: elastic
-        !> d and F at first yield, 0 < a E*/(R Y) there
-        real(wp) :: yield_depth = 0.0_wp, yield_force = 0.0_wp, first_yield = 0.0_wp
+        !> d and F at first yield; d there without adhesion; a E*/(R Y) there of the body that yields, 0 if it is not known
+        real(wp) :: yield_depth = 0.0_wp, yield_force = 0.0_wp, yield_without = 0.0_wp, first_yield = 0.0_wp
         !> the largest depth, F and a there
         real(wp) :: largest_depth = 0.0_wp, largest_force = 0.0_wp, largest_radius = 0.0_wp
         !> R of a paraboloid [length], 0: the law is one of points; E* [modulus]; work of adhesion [modulus length]
@@ -135,8 +135,8 @@ contains
         status = mdrcontact_plastic_view(law%buffer, view)
     end function view_of
 
-    !> One step of each of many contacts, on `threads` threads (0: as many as the runtime offers). After an error all memories are as
-    !> before, and the error names the first contact that failed.
+    !> One step of each of many contacts, on `threads` threads (0: as many as the runtime offers). After an error all memories are
+    !> as before, and the error names the first contact that failed.
     subroutine steps(self, contacts, threads, error)
         class(plastic_law_t), intent(in), target :: self
         type(plastic_steps_t), intent(in) :: contacts
@@ -193,8 +193,8 @@ contains
             call raise(error, error_domain, " = "//to_text(depth)//": the largest depth of the law is "// &
                        to_text(self%largest_depth)//". Increase largest_depth", "depth")
         else if (.not. is_possible(self, view, 0.0_wp, memory)) then
-            call raise(error, error_invalid, " = "//to_text(memory(1))//": it must be 0 before the first step, and later what a "// &
-                       "step of this law has left", "memory")
+            call raise(error, error_invalid, " = "//to_text(memory(1))//": it must be 0 before the first step, and later what "// &
+                       "a step of this law has left", "memory")
         end if
     end subroutine check_step
 
@@ -206,11 +206,11 @@ contains
 
         associate (s => self%steps)
             done = mdrcontact_plastic_steps(self%view, int(last - first + 1, c_int), s%depth(first:last), &
-                                            merge(1_c_int, 0_c_int, s%is_trial), c_loc(s%memory(1, first)), place(s%force, first), &
-                                            place(s%slope, first), place(s%radius, first))
+                                            merge(1_c_int, 0_c_int, s%is_trial), c_loc(s%memory(1, first)), &
+                                            place(s%force, first), place(s%slope, first), place(s%radius, first))
             if (done > last - first) return
-            call raise(error, error_domain, " = "//to_text(s%depth(first + done))//": the contact leaves the range of the law. "// &
-                       "Increase largest_depth", "depth")
+            call raise(error, error_domain, " = "//to_text(s%depth(first + done))//": the contact leaves the range of the "// &
+                       "law. Increase largest_depth", "depth")
             call raise_at(error, first + int(done))
         end associate
     end subroutine do_steps
@@ -225,8 +225,8 @@ contains
         if (associated(array)) pointer = c_loc(array(i))
     end function place
 
-    !> What contacts at depths store, and what they have dissipated since their first step [modulus length^3]. A step to the depth is
-    !> taken without a change of the memory.
+    !> What contacts at depths store, and what they have dissipated since their first step [modulus length^3]. A step to the
+    !> depth is taken without a change of the memory.
     subroutine energies(self, depth, memory, stored, dissipated, error)
         class(plastic_law_t), intent(in) :: self
         !> [length]
@@ -272,7 +272,7 @@ contains
         call energies_on(self, path, work, error)
         if (allocated(error)) return
         associate (deepest => abs(path%memory(1, 1)))
-            if (deepest <= self%yield_depth) return
+            if (deepest <= self%yield_without) return
             call mdrcontact_plastic_virgin(view_of(self), deepest, state)
             residual = deepest - state(5)
         end associate
@@ -346,8 +346,8 @@ contains
         high = self%largest_depth
         call self%first_loading(high, force, radius, residual, work, error)
         if (.not. allocated(error) .and. energy > work) then
-            call raise(error, error_domain, " = "//to_text(speed)//": the law ends at the speed "//to_text(sqrt(2.0_wp*work/mass))// &
-                       " of this mass. Increase largest_depth", "speed")
+            call raise(error, error_domain, " = "//to_text(speed)//": the law ends at the speed "// &
+                       to_text(sqrt(2.0_wp*work/mass))//" of this mass. Increase largest_depth", "speed")
         end if
         do i = 1, most_steps
             if (allocated(error) .or. high - low <= close*high) exit

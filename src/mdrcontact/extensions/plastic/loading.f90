@@ -186,7 +186,7 @@ contains
     !> A curve through points, the first of which is the end of elastic loading.
     subroutine new_table_loading(self, depth, force, radius, recovery, modulus, error)
         type(table_loading_t), intent(out) :: self
-        !> d, F and a of at least 3 points, each > 0 and rising, the depth that an elastic unloading from each gives back, 0 < w <= d
+        !> d, F and a of at least 3 points, each > 0 and rising; the depth that an elastic unloading from each gives back, at most d
         real(wp), intent(in) :: depth(:), force(:), radius(:), recovery(:)
         !> E* > 0, with which the contact unloads [modulus]
         real(wp), intent(in) :: modulus
@@ -221,12 +221,13 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer :: i
 
+        if (allocated(error)) return
         do i = 1, size(values)
-            if (allocated(error)) return
             call check_positive(error, name, values(i), i)
-            if (allocated(error) .or. i == 1) cycle
-            if (.not. values(i) > values(i - 1)) call raise(error, error_invalid, " = "//to_text(values(i))// &
-                                                            ": the values must rise. Average or omit points", name, i)
+            if (allocated(error)) return
+            if (values(i) > values(max(i - 1, 1)) .or. i == 1) cycle
+            call raise(error, error_invalid, " = "//to_text(values(i))//": the values must rise. Average or omit points", name, i)
+            return
         end do
     end subroutine check_rising
 

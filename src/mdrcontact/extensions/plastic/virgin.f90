@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> First loading of a paraboloid on an elastic and perfectly plastic half-space, for any Poisson's ratio (theory/plastic.md (4.1)).
+!> First loading of a paraboloid on an elastic and perfectly plastic half-space, for any Poisson's ratio (theory/plastic.md (4.1), (4.5)-(4.7)).
 !>
 !> With L = a E*/(R Y): F = pi a^2 Y P(L), d = (a^2/R) D(L), and the line load on the axis is q(0) = S(L) F/(pi a). Below first
-!> yield, L <= L_y, these are Hertz's P = 4 L/(3 pi), D = 1, S = 3 pi/4. Beyond it they are Chebyshev series through finite elements.
+!> yield, L <= L_y, these are Hertz's P = 4 L/(3 pi), D = 1, S = 3 pi/4. Beyond it they are series through finite elements.
 module mdrcontact_plastic_virgin
     use mdrcontact_error, only: check_within, error_t
     use mdrcontact_kinds, only: half_pi, pi, wp
@@ -111,8 +111,8 @@ contains
                                                                    (1.0_wp + y/6.0_wp*(1.0_wp + y/7.0_wp))))))
     end function less_one
 
-    !> L = a E*/(R Y) at which a half-space begins to yield below a paraboloid: on the axis at the depth zeta a, by Huber's stresses
-    !> (theory/plastic.md (4.2)).
+    !> L = a E*/(R Y) at which a half-space begins to yield below a paraboloid: on the axis at the depth zeta a, by Huber's
+    !> stresses (theory/plastic.md (4.2), (4.3)). The polynomial (4.4) is an approximation of this.
     elemental function first_yield(poisson) result(load)
         !> nu [1]
         real(wp), intent(in) :: poisson

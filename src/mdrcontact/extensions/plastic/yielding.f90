@@ -71,8 +71,8 @@ contains
             call raise(error, error_invalid, " = "//to_text(stress(2))//": yield stresses must not fall. Softening has no "// &
                        "contact law here", "yield_stress", i)
         else if (.not. strain(2)*stress(1) > strain(1)*stress(2)) then
-            call raise(error, error_invalid, " = "//to_text(stress(2))//": it must rise less than proportionally to the strain, "// &
-                       "or the contact does not yield further. Give the yield stress at strain 0 first", "yield_stress", i)
+            call raise(error, error_invalid, " = "//to_text(stress(2))//": it must rise less than proportionally to the "// &
+                       "strain, or the contact does not yield further. Give the yield stress at strain 0 first", "yield_stress", i)
         end if
     end subroutine check_rising
 
@@ -149,8 +149,9 @@ contains
         high = largest_load
         call virgin%at(high, near(1), unused(1), unused(2), unused(3))
         if (.not. slope < 4.0_wp/(3.0_wp*pi)) then
-            call raise(error, error_domain, " = "//to_text(hardness)//": it is at least the mean pressure of an elastic contact, "// &
-                       to_text(4.0_wp/(3.0_wp*pi)*inclination*material%contact())//". Nothing yields at this a/R", "hardness")
+            call raise(error, error_domain, " = "//to_text(hardness)//": it is at least the mean pressure of an elastic "// &
+                       "contact, "//to_text(4.0_wp/(3.0_wp*pi)*inclination*material%contact())//". Nothing yields at this a/R", &
+                       "hardness")
         else if (slope < near(1)/high) then
             call raise(error, error_domain, " = "//to_text(hardness)//": a E*/(R Y) of this contact exceeds "// &
                        to_text(largest_load)//". Omit a/R: H = 2.8 Y then has an error of 8 %", "hardness")

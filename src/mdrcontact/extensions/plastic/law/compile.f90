@@ -3,14 +3,14 @@
 module mdrcontact_plastic_law_compile
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: check_memory, check_not_negative, check_positive, check_within, error_domain, error_invalid, &
+    use mdrcontact_error, only: check_memory, error_domain, &
                                 error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_compile, only: interpolating
     use mdrcontact_law_evaluate, only: energy_at
-    use mdrcontact_law_interval, only: coefficient_count, in_units_of, interval_t, new_interval, panel_count, panel_ends, polynomial, &
-                                      polynomial_moments, u_of_y
+    use mdrcontact_law_interval, only: coefficient_count, in_units_of, interval_t, new_interval, panel_count, panel_ends, &
+                                      polynomial, polynomial_moments, u_of_y
     use mdrcontact_law_pack, only: pack_table, packed_size
     use mdrcontact_law_table, only: interval_for, law_table_t, scale_table
     use mdrcontact_contact, only: on_unloading
@@ -389,6 +389,7 @@ contains
         law%buffer(energy + 1:energy + n) = factor**3*law%buffer(energy + 1:energy + n)
         law%radius = factor*law%radius
         law%yield_depth = factor*law%yield_depth
+        law%yield_without = factor*law%yield_without
         law%yield_force = factor**2*law%yield_force
         law%largest_depth = factor*law%largest_depth
         law%largest_force = factor**2*law%largest_force
