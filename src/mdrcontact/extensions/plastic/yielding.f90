@@ -8,7 +8,7 @@ module mdrcontact_plastic_yielding
     use mdrcontact_plastic_virgin, only: largest_load, largest_poisson, new_virgin, virgin_t
     implicit none (type, external)
     private
-    public :: yielding_t, new_yielding, are_equal, yield_stress_from_hardness, tabor
+    public :: yielding_t, new_yielding, new_elastic, are_equal, yield_stress_from_hardness, tabor
 
     !> Representative strain of a contact over a/R (Tabor).
     real(wp), parameter :: tabor = 0.2_wp
@@ -17,7 +17,8 @@ module mdrcontact_plastic_yielding
     !> Error of the mean pressure of the law.
     real(wp), parameter :: pressure_error = 3.0e-3_wp
 
-    !> A material and its yield stress over the plastic strain: linear between the points, constant below and above them.
+    !> A material and its yield stress over the plastic strain: linear between the points, constant below and above them. Without
+    !> points it does not yield.
     type :: yielding_t
         type(material_t) :: material
         !> plastic strains [1], rising, and the yield stress at each [modulus], not falling
@@ -58,6 +59,18 @@ contains
         self%strain(:) = strain
         self%stress(:) = stress
     end subroutine new_yielding
+
+    !> A material that does not yield.
+    pure subroutine new_elastic(self, material, error)
+        type(yielding_t), intent(out) :: self
+        !> isotropic
+        type(material_t), intent(in) :: material
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (.not. material%is_plain) call raise(error, error_invalid, "material: it must be isotropic and free of stress")
+        self%material = material
+        allocate (self%strain(0), self%stress(0))
+    end subroutine new_elastic
 
     !> Raises unless the strain rises, the stress does not fall, and it rises less than proportionally to the strain.
     pure subroutine check_rising(strain, stress, i, error)

@@ -54,6 +54,8 @@ module mdrcontact_plastic_law_compile
         !> over -1 <= t <= 1 (coefficient, column, panel)
         real(wp), allocatable :: c(:, :, :)
         real(wp) :: error = 0.0_wp
+        !> the polynomials of the elastic law at yield over the curve, within the tolerance: the law is continuous
+        real(wp) :: joint(columns) = 1.0_wp
     end type panels_t
 
     interface
@@ -77,9 +79,12 @@ contains
         real(wp), intent(in) :: highest, line
         type(error_t), allocatable, intent(inout) :: error
         type(panels_t) :: panels
+        type(loaded_t) :: first
 
         law%elastic = elastic%by_depth
         if (highest > loading%first) then
+            first = loading%at_depth(loading%first)
+            panels%joint(1) = elastic%force(loading%first)/first%force
             if (size(loading%breaks) == 0) then
                 call find_panels_by_bits(panels, loading, highest, fit_share*law%tolerance, error)
             else
@@ -120,7 +125,7 @@ contains
             do i = 1, n
                 call check_cancelled(error)
                 if (allocated(error)) return
-                call fit_panel(loading, panels%ends(i:i + 1), tolerance, panels%c(:, :, i), panels%error, fits)
+                call fit_panel(loading, panels%joint, panels%ends(i:i + 1), tolerance, panels%c(:, :, i), panels%error, fits)
                 if (.not. fits) exit
             end do
             if (fits) return
@@ -152,7 +157,7 @@ contains
             call check_cancelled(error)
             if (allocated(error)) return
             associate (right => to_do(size(to_do)))
-                call fit_panel(loading, [left, right], tolerance, c, panels%error, fits)
+                call fit_panel(loading, panels%joint, [left, right], tolerance, c, panels%error, fits)
                 if (.not. fits .and. right - left > rounding*right .and. n + size(to_do) < count) then
                     to_do = [to_do, 0.5_wp*(left + right)]
                     cycle
@@ -181,9 +186,9 @@ contains
     end subroutine raise_no_fit
 
     !> Polynomials through the curve at Chebyshev's extrema of a panel, ends included.
-    pure subroutine fit_panel(loading, ends, tolerance, c, error, fits)
+    pure subroutine fit_panel(loading, joint, ends, tolerance, c, error, fits)
         class(loading_t), intent(in) :: loading
-        real(wp), intent(in) :: ends(2), tolerance
+        real(wp), intent(in) :: joint(columns), ends(2), tolerance
         real(wp), intent(out) :: c(row, columns)
         !> largest relative error found so far
         real(wp), intent(inout) :: error
@@ -193,7 +198,7 @@ contains
 
         do i = 1, row
             t(i) = -cos(pi*(i - 1)/(row - 1))
-            values(i, :) = numbers_at(loading, 0.5_wp*(ends(1)*(1.0_wp - t(i)) + ends(2)*(1.0_wp + t(i))))
+            values(i, :) = joint*numbers_at(loading, 0.5_wp*(ends(1)*(1.0_wp - t(i)) + ends(2)*(1.0_wp + t(i))))
         end do
         do j = 1, columns
             c(:, j) = interpolating(t, values(:, j))
@@ -203,7 +208,7 @@ contains
         scale(3) = max(scale(3), scale(1)/(scale(2)*loading%modulus))
         worst = 0.0_wp
         do i = 1, size(probes)
-            between = numbers_at(loading, 0.5_wp*(ends(1)*(1.0_wp - probes(i)) + ends(2)*(1.0_wp + probes(i))))
+            between = joint*numbers_at(loading, 0.5_wp*(ends(1)*(1.0_wp - probes(i)) + ends(2)*(1.0_wp + probes(i))))
             do j = 1, columns
                 worst = max(worst, abs(polynomial(c(:, j), probes(i)) - between(j))/scale(j))
             end do

@@ -59,7 +59,10 @@ contains
         if (present(options)) chosen = options
         call check_positive(error, "largest_depth", largest_depth)
         if (allocated(error)) return
-        if (.not. profile%paraboloid_radius > 0.0_wp) then
+        if (size(metal%stress) == 0) then
+            call raise(error, error_invalid, "metal: it does not yield. Give a yield stress")
+            return
+        else if (.not. profile%paraboloid_radius > 0.0_wp) then
             call raise(error, error_invalid, "profile: the law is that of a paraboloid. Give the curve of another profile as "// &
                        "points")
             return
@@ -86,7 +89,7 @@ contains
         if (.not. allocated(options%other)) return
         associate (other => options%other)
             modulus = in_series(own, other%material%contact())
-            if (allocated(other%stress)) then
+            if (size(other%stress) > 0) then
                 if (.not. are_equal(metal, other)) call raise(error, error_invalid, "other: two different bodies that both "// &
                                                               "yield are not supported. Give the harder one as elastic")
                 own = modulus
@@ -273,6 +276,10 @@ contains
         real(wp) :: largest_depth
 
         if (present(options)) chosen = options
+        if (allocated(chosen%other)) then
+            call raise(error, error_invalid, "other: the curve is that of both bodies. Omit it")
+            return
+        end if
         call new_table_loading(loading, depth, force, radius, recovery, modulus, error)
         if (allocated(error)) return
         call check_not_negative(error, "work_of_adhesion", chosen%work_of_adhesion)
