@@ -25,7 +25,11 @@ EXTENSIONS = {
     ],
     "conduction": [("mdr_conduction", "conduction_t", "mdrcontact_conduction_bodies", "type")],
     "poroelastic": [("mdr_poroelastic", "poroelastic_t", "mdrcontact_poroelastic_table", "type")],
-    "plastic": [("mdr_imprint", "imprint_t", "mdrcontact_plastic_imprint", "type")],
+    "plastic": [
+        ("mdr_imprint", "imprint_t", "mdrcontact_plastic_imprint", "type"),
+        ("mdr_yielding", "yielding_t", "mdrcontact_plastic_yielding", "type"),
+        ("mdr_plastic_law", "plastic_law_t", "mdrcontact_plastic_law", "type"),
+    ],
     "lateral": [("mdr_structure", "structure_t", "mdrcontact_lateral_structure", "class")],
 }
 # A handle of the right kind whose object is of the other of two types: what is said then.

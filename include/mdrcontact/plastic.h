@@ -134,6 +134,228 @@ int mdr_imprint_reverse_yield(const mdr_imprint *i, int n, const double yield_st
 
 /* ---- Laws of contacts that yield ---- */
 
+/** An isotropic material that yields at a stress which may rise with the plastic strain, or one that does not yield. Immutable.
+ *  Created by mdr_yielding_new(). */
+typedef struct mdr_yielding mdr_yielding;
+
+/** The law of a contact that yields: force, slope and radius over the depth for many contacts, each of which remembers its largest
+ *  depth. Immutable. Created by mdr_plastic_law_new(), mdr_plastic_law_from_points() or mdr_plastic_law_with_radius().
+ *
+ *  The calling program keeps the memory of each contact: memory_size numbers (mdr_plastic_law_facts), all 0 before the first step.
+ *  It may copy and store them. The memories of n contacts are consecutive in one array. The first number is the largest depth so
+ *  far. With adhesion it is negative while the contact is closed, and the second number is the energy that jumps have lost. */
+typedef struct mdr_plastic_law mdr_plastic_law;
+
+/** Create a material that yields.
+ *  @param E             Young's modulus > 0 [modulus]
+ *  @param nu            Poisson's ratio, 0 to 0.49 [1]; of a material that does not yield -1 to 0.5
+ *  @param n             number of points; 0: it does not yield; 1: perfect plasticity
+ *  @param strain        [n] plastic strains >= 0, rising [1]
+ *  @param yield_stress  [n] yield stresses > 0, which do not fall and rise less than proportionally to the strain [modulus]; linear
+ *                       between the points, constant below and above them
+ *  @param out           receives the handle
+ *  @code
+ *  const double strain = 0.0, Y = 1e9;
+ *  mdr_yielding *metal = NULL;
+ *  status = mdr_yielding_new(200e9, 0.3, 1, &strain, &Y, &metal);
+ *  MDR_FREE(metal);
+ *  @endcode
+ */
+int mdr_yielding_new(double E, double nu, int n, const double strain[], const double yield_stress[], mdr_yielding **out);
+
+/** Estimate a yield stress from a hardness H, the mean pressure of a spherical indentation.
+ *  @param E             Young's modulus > 0 [modulus]
+ *  @param nu            Poisson's ratio, 0 to 0.49 [1]
+ *  @param hardness      H > 0 [modulus]
+ *  @param radius_ratio  a/R of that indentation [1]: H = Y P(a E* / (R Y)). 0: not known, H = 2.8 Y
+ *  @param yield_stress  receives Y [modulus]
+ *  @param error         receives the relative error of Y; 0.08 if a/R is not known, as P is 2.6 to 3.01 from a E* / (R Y) = 23 on [1]
+ *  @return also MDR_EDOMAIN if nothing yields under H, or if a E* / (R Y) exceeds 250
+ *  @code
+ *  double Y, error;
+ *  status = mdr_yield_stress_from_hardness(200e9, 0.3, 2.8e9, 0.0, &Y, &error);
+ *  @endcode
+ */
+int mdr_yield_stress_from_hardness(double E, double nu, double hardness, double radius_ratio, double *yield_stress, double *error);
+
+/** Options of mdr_plastic_law_new(). Initialize with MDR_SIZED. */
+typedef struct mdr_plastic_law_options {
+    size_t size;               /**< Size of this structure; MDR_SIZED sets it. */
+    const mdr_yielding *other; /**< The other body: one that does not yield, or one equal to the first. Default NULL: rigid. */
+    double work_of_adhesion;   /**< >= 0; it must not yield the body alone. The contact then follows first loading with the edge
+                                    condition of Johnson, Kendall and Roberts superposed, exact up to yield, a model beyond it.
+                                    Default 0 [modulus length]. */
+    double tolerance;          /**< Relative tolerance of F and a, 1e-11 to 1e-2. Default 0: 1e-9. */
+} mdr_plastic_law_options;
+
+/** Create the law of a paraboloid on a half-space that yields. First loading is that of finite elements, with an error of 0.2 % of F
+ *  and d, up to a E* / (R Y) = 250. Unloading and reloading are elastic.
+ *  @param profile        a paraboloid; between two bodies that of their gap
+ *  @param metal          material that yields
+ *  @param largest_depth  > 0, at which a <= 0.3 R; from 0.1 R on F has an error of 2 % and more [length]
+ *  @param options        NULL: default options
+ *  @param out            receives the handle
+ *  @return also MDR_EDOMAIN beyond these limits, and if adhesion alone yields the body
+ *  @code
+ *  const double strain = 0.0, Y = 1e9;
+ *  mdr_yielding *steel = NULL;
+ *  mdr_profile *ball = NULL;
+ *  mdr_plastic_law *law = NULL;
+ *  mdr_yielding_new(200e9, 0.3, 1, &strain, &Y, &steel);
+ *  mdr_profile_paraboloid(1e-3, &ball);
+ *  status = mdr_plastic_law_new(ball, steel, 10e-6, NULL, &law);
+ *  MDR_FREE(law);
+ *  MDR_FREE(ball);
+ *  MDR_FREE(steel);
+ *  @endcode
+ */
+int mdr_plastic_law_new(const mdr_profile *profile, const mdr_yielding *metal, double largest_depth,
+                        const mdr_plastic_law_options *options, mdr_plastic_law **out);
+
+/** Create the law of a measured or computed curve of first loading. Between the points cubics rise.
+ *  @param n         number of points, at least 3
+ *  @param d         [n] depths > 0, rising; up to the first one the contact is elastic [length]
+ *  @param F         [n] forces > 0, rising [modulus length^2]
+ *  @param a         [n] contact radii > 0, rising [length]
+ *  @param recovery  [n] depths that an elastic unloading from each point gives back, at most d [length]
+ *  @param modulus   E* > 0, with which the contact unloads as a homogeneous half-space [modulus]
+ *  @param options   NULL: default options; options.other must be NULL
+ *  @param out       receives the handle
+ *  @return also MDR_EDOMAIN for a recovery that no imprint of two terms with this force and radius has
+ *  @code
+ *  const double d[3] = {1e-9, 4e-9, 9e-9}, F[3] = {1e-6, 6e-6, 15e-6}, a[3] = {3e-8, 7e-8, 11e-8};
+ *  const double w[3] = {1e-9, 2.7e-9, 4.5e-9};
+ *  mdr_plastic_law *measured = NULL;
+ *  status = mdr_plastic_law_from_points(3, d, F, a, w, 20e9, NULL, &measured);
+ *  MDR_FREE(measured);
+ *  @endcode
+ */
+int mdr_plastic_law_from_points(int n, const double d[], const double F[], const double a[], const double recovery[], double modulus,
+                                const mdr_plastic_law_options *options, mdr_plastic_law **out);
+
+/** Create the law of the same bodies under a paraboloid of another radius: d and a are proportional to R, F to R^2.
+ *  @param law     law of a paraboloid without adhesion
+ *  @param radius  R > 0 [length]
+ *  @param out     receives the handle
+ *  @return also MDR_EINVALID for adhesive laws, which scale only at a work of adhesion proportional to R, and for laws of points
+ *  @code
+ *  mdr_plastic_law *larger = NULL;
+ *  status = mdr_plastic_law_with_radius(plastic_law, 2e-3, &larger);
+ *  MDR_FREE(larger);
+ *  @endcode
+ */
+int mdr_plastic_law_with_radius(const mdr_plastic_law *law, double radius, mdr_plastic_law **out);
+
+/** Properties of a plastic law. */
+typedef struct mdr_plastic_law_facts {
+    size_t size;             /**< Size of this structure; MDR_SIZED sets it. */
+    double yield_depth;      /**< Depth of first yield; the range may end before it [length]. */
+    double yield_force;      /**< Force there [modulus length^2]. */
+    double first_yield;      /**< a E* / (R Y) there, of the body that yields; 0 in a law of points [1]. */
+    double largest_depth;    /**< End of the range [length]. */
+    double largest_force;    /**< Force of first loading there [modulus length^2]. */
+    double largest_radius;   /**< Contact radius there [length]. */
+    double radius;           /**< R of the paraboloid; 0 in a law of points [length]. */
+    double modulus;          /**< E* of the contact [modulus]. */
+    double work_of_adhesion; /**< 0 without adhesion [modulus length]. */
+    double tolerance;        /**< The requested relative tolerance. */
+    double error;            /**< Largest relative error of the polynomials found against the curve. */
+    int memory_size;         /**< Numbers in the memory of a contact: 1, with adhesion 2. */
+    int buffer_size;         /**< Number of values that mdr_plastic_law_buffer() writes. */
+} mdr_plastic_law_facts;
+
+/** Return the properties of a plastic law.
+ *  @param law    law
+ *  @param facts  initialize with MDR_SIZED; receives the properties
+ *  @code
+ *  mdr_plastic_law_facts plastic_facts = MDR_SIZED(mdr_plastic_law_facts);
+ *  status = mdr_plastic_law_about(plastic_law, &plastic_facts);
+ *  @endcode
+ */
+int mdr_plastic_law_about(const mdr_plastic_law *law, mdr_plastic_law_facts *facts);
+
+/** Advance n contacts to new depths. A failed call advances none of them. Any number of threads may call it with different memories.
+ *  @param law       law
+ *  @param n         number of contacts
+ *  @param d         [n] indentation depths at the end of the step, up to the largest one [length]
+ *  @param is_trial  0: take the step; otherwise leave the memories unchanged
+ *  @param memory    [memory_size n] the memories
+ *  @param F         [n] or NULL: receives normal forces, positive in compression [modulus length^2]
+ *  @param slope     [n] or NULL: receives the stiffnesses dF/dd along the path, which jump at the largest depth [modulus length]
+ *  @param a         [n] or NULL: receives contact radii, 0 for separated bodies [length]
+ *  @return also MDR_EDOMAIN beyond the largest depth, MDR_EINVALID for numbers that are not a memory
+ *  @code
+ *  const double depth = 5e-6;
+ *  double memory[1] = {0}, F, slope;
+ *  status = mdr_plastic_law_advance(plastic_law, 1, &depth, 0, memory, &F, &slope, NULL);
+ *  @endcode
+ */
+int mdr_plastic_law_advance(const mdr_plastic_law *law, int n, const double d[], int is_trial, double memory[], double F[],
+                            double slope[], double a[]);
+
+/** Compute the energies of n contacts. Their sum is the work int F dd since the first step. The dissipated energy never falls.
+ *  @param law         law
+ *  @param n           number of contacts
+ *  @param d           [n] indentation depths; a step to them is taken without a change of the memories [length]
+ *  @param memory      [memory_size n] the memories
+ *  @param stored      [n] receives what the contacts give back, with adhesion less the energy of their surfaces [modulus length^3]
+ *  @param dissipated  [n] receives what plastic flow, and with adhesion jumps, have taken since the first step [modulus length^3]
+ *  @return also MDR_EDOMAIN beyond the largest depth, MDR_EINVALID for numbers that are not a memory
+ *  @code
+ *  const double depth = 5e-6, memory[1] = {6e-6};
+ *  double stored, dissipated;
+ *  status = mdr_plastic_law_energies(plastic_law, 1, &depth, memory, &stored, &dissipated);
+ *  @endcode
+ */
+int mdr_plastic_law_energies(const mdr_plastic_law *law, int n, const double d[], const double memory[], double stored[],
+                             double dissipated[]);
+
+/** Compute states of first loading.
+ *  @param law       law
+ *  @param n         number of states
+ *  @param d         [n] indentation depths up to the largest one [length]
+ *  @param F         [n] or NULL: receives forces [modulus length^2]
+ *  @param a         [n] or NULL: receives contact radii [length]
+ *  @param residual  [n] or NULL: receives the depths at which the contact opens on unloading without adhesion [length]
+ *  @param work      [n] or NULL: receives the work int F dd [modulus length^3]
+ *  @return also MDR_EDOMAIN beyond the largest depth
+ *  @code
+ *  const double depth = 5e-6;
+ *  double F, residual;
+ *  status = mdr_plastic_law_loading(plastic_law, 1, &depth, &F, NULL, &residual, NULL);
+ *  @endcode
+ */
+int mdr_plastic_law_loading(const mdr_plastic_law *law, int n, const double d[], double F[], double a[], double residual[],
+                            double work[]);
+
+/** Compute coefficients of restitution of impacts without waves: what the contact gives back of the energy m V^2/2.
+ *  @param law    law
+ *  @param mass   reduced mass m > 0; m V^2 in the unit of energies
+ *  @param n      number of speeds
+ *  @param speed  [n] speeds V > 0 at initial contact
+ *  @param e      [n] receives the coefficients of restitution; 0: the bodies stick [1]
+ *  @return also MDR_EDOMAIN for an impact beyond the largest depth
+ *  @code
+ *  const double speed = 0.1;
+ *  double e;
+ *  status = mdr_plastic_law_restitution(plastic_law, 1e-6, 1, &speed, &e);
+ *  @endcode
+ */
+int mdr_plastic_law_restitution(const mdr_plastic_law *law, double mass, int n, const double speed[], double e[]);
+
+/** Write a plastic law as an array of numbers without addresses, which the inline functions of mdrcontact_plastic_law.h evaluate.
+ *  @param law     law
+ *  @param size    length of the array, at least buffer_size of mdr_plastic_law_facts
+ *  @param buffer  [size] receives the numbers
+ *  @return also MDR_EINVALID for a shorter array
+ *  @code
+ *  double *numbers = malloc((size_t)plastic_facts.buffer_size * sizeof *numbers);
+ *  status = mdr_plastic_law_buffer(plastic_law, plastic_facts.buffer_size, numbers);
+ *  free(numbers);
+ *  @endcode
+ */
+int mdr_plastic_law_buffer(const mdr_plastic_law *law, int size, double buffer[]);
+
 /* ---- Pressure caps ---- */
 
 #ifdef __cplusplus

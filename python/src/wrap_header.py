@@ -45,6 +45,9 @@ SIZES = {
     "mdr_law_buffer": {"buffer": ""},
     "mdr_law_energies": {"memory": ""},
     "mdr_law_turn": {"normal": "n, 3", "spin": "", "memory": ""},
+    "mdr_plastic_law_advance": {"memory": ""},
+    "mdr_plastic_law_buffer": {"buffer": ""},
+    "mdr_plastic_law_energies": {"memory": ""},
     "mdr_law_values": dict.fromkeys(("d", "a", "F", "k", "slope", "energy"), ""),
     "mdr_fit_solve": dict.fromkeys(
         ("given", "sd", "values", "covariance", "widening", "at_bound", "weakest_direction", "fitted", "residuals"), ""
