@@ -394,6 +394,34 @@ imprint_facts = np.dtype(
     ],
     align=True,
 )
+plastic_law_options = np.dtype(
+    [
+        ("size", np.uintp),
+        ("other", np.uintp),
+        ("work_of_adhesion", np.float64),
+        ("tolerance", np.float64),
+    ],
+    align=True,
+)
+plastic_law_facts = np.dtype(
+    [
+        ("size", np.uintp),
+        ("yield_depth", np.float64),
+        ("yield_force", np.float64),
+        ("first_yield", np.float64),
+        ("largest_depth", np.float64),
+        ("largest_force", np.float64),
+        ("largest_radius", np.float64),
+        ("radius", np.float64),
+        ("modulus", np.float64),
+        ("work_of_adhesion", np.float64),
+        ("tolerance", np.float64),
+        ("error", np.float64),
+        ("memory_size", np.intc),
+        ("buffer_size", np.intc),
+    ],
+    align=True,
+)
 structure_options = np.dtype(
     [
         ("size", np.uintp),
@@ -747,6 +775,15 @@ POINTERS = {
     "imprint_profile": (0,),
     "imprint_about": (0, 1),
     "imprint_reverse_yield": (0,),
+    "plastic_law_new": (0, 1, 3),
+    "plastic_law_from_points": (5,),
+    "plastic_law_with_radius": (0,),
+    "plastic_law_about": (0, 1),
+    "plastic_law_advance": (0, 3),
+    "plastic_law_energies": (0, 2),
+    "plastic_law_loading": (0,),
+    "plastic_law_restitution": (0,),
+    "plastic_law_buffer": (0, 2),
     "structure_shapes": (6,),
     "structure_voxels": (1, 7),
     "structure_function": (0, 1, 3),

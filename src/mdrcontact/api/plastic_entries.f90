@@ -7,6 +7,8 @@ module mdrcontact_api_plastic_entries
     use mdrcontact_error, only: check_count_from, error_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_plastic_imprint, only: imprint_t, new_imprint, new_imprint_from_pressure, new_imprint_of_two_terms
+    use mdrcontact_plastic_law, only: plastic_law_t
+    use mdrcontact_plastic_law_new, only: with_radius
     use mdrcontact_plastic_profile, only: imprint_profile_t
     implicit none (type, external)
     private
@@ -14,6 +16,7 @@ module mdrcontact_api_plastic_entries
     public :: mdr_imprint_two_terms
     public :: mdr_imprint_from_pressure
     public :: mdr_imprint_profile
+    public :: mdr_plastic_law_with_radius
 
 contains
 
@@ -90,5 +93,23 @@ contains
         call move_alloc(made, object)
         status = return_object(object, out, error)
     end function mdr_imprint_profile
+
+    function mdr_plastic_law_with_radius(law, radius, out) result(status) &
+        bind(C, name="mdrcontact_entry_plastic_law_with_radius")
+        type(c_ptr), value :: law
+        real(c_double), value :: radius
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(plastic_law_t), allocatable :: made
+        class(*), allocatable :: object
+        type(plastic_law_t), pointer :: law_inside
+        type(error_t), allocatable :: error
+
+        allocate (made)
+        call open_handle(law, "law", law_inside, error)
+        if (.not. allocated(error)) call with_radius(law_inside, radius, made, error)
+        call move_alloc(made, object)
+        status = return_object(object, out, error)
+    end function mdr_plastic_law_with_radius
 
 end module mdrcontact_api_plastic_entries

@@ -6,6 +6,8 @@ module mdrcontact_api_plastic_open_handle
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_error, only: error_t
     use mdrcontact_plastic_imprint, only: imprint_t
+    use mdrcontact_plastic_law, only: plastic_law_t
+    use mdrcontact_plastic_yielding, only: yielding_t
     implicit none (type, external)
     private
     public :: open_handle
@@ -13,7 +15,9 @@ module mdrcontact_api_plastic_open_handle
     !> The object behind a handle; null after an error. `name` is the argument's.
     interface open_handle
         module procedure &
-            open_imprint
+            open_imprint, &
+            open_yielding, &
+            open_plastic_law
     end interface open_handle
 
 contains
@@ -35,5 +39,41 @@ contains
             call refuse_kind(name, "mdr_imprint", error)
         end select
     end subroutine open_imprint
+
+    subroutine open_yielding(handle, name, object, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(yielding_t), pointer, intent(out) :: object
+        type(error_t), allocatable, intent(inout) :: error
+        class(*), pointer :: inside
+
+        nullify (object)
+        call look_inside(handle, name, "mdr_yielding", inside, error)
+        if (allocated(error)) return
+        select type (inside)
+        type is (yielding_t)
+            object => inside
+        class default
+            call refuse_kind(name, "mdr_yielding", error)
+        end select
+    end subroutine open_yielding
+
+    subroutine open_plastic_law(handle, name, object, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(plastic_law_t), pointer, intent(out) :: object
+        type(error_t), allocatable, intent(inout) :: error
+        class(*), pointer :: inside
+
+        nullify (object)
+        call look_inside(handle, name, "mdr_plastic_law", inside, error)
+        if (allocated(error)) return
+        select type (inside)
+        type is (plastic_law_t)
+            object => inside
+        class default
+            call refuse_kind(name, "mdr_plastic_law", error)
+        end select
+    end subroutine open_plastic_law
 
 end module mdrcontact_api_plastic_open_handle

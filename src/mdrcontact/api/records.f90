@@ -6,8 +6,8 @@ module mdrcontact_api_records
     private
     public :: c_failure_t, c_parameter_t, c_layer_t, c_surface_t, c_model_facts_t, c_medium_options_t, c_contact_options_t, &
               c_loop_facts_t, c_maximum_t, c_strength_t, c_failure_load_t, c_shear_facts_t, c_law_options_t, c_law_facts_t, &
-              c_rate_options_t, c_wear_options_t, c_imprint_facts_t, c_structure_options_t, c_fit_parameter_t, c_fit_problem_t, &
-              c_fit_summary_t
+              c_rate_options_t, c_wear_options_t, c_imprint_facts_t, c_plastic_law_options_t, c_plastic_law_facts_t, &
+              c_structure_options_t, c_fit_parameter_t, c_fit_problem_t, c_fit_summary_t
 
     !> struct mdr_failure
     type, bind(C) :: c_failure_t
@@ -216,6 +216,32 @@ module mdrcontact_api_records
         real(c_double) :: hertz = 0.0_c_double
         real(c_double) :: misfit = 0.0_c_double
     end type c_imprint_facts_t
+
+    !> struct mdr_plastic_law_options
+    type, bind(C) :: c_plastic_law_options_t
+        integer(c_size_t) :: size = 0_c_size_t
+        type(c_ptr) :: other = c_null_ptr
+        real(c_double) :: work_of_adhesion = 0.0_c_double
+        real(c_double) :: tolerance = 0.0_c_double
+    end type c_plastic_law_options_t
+
+    !> struct mdr_plastic_law_facts
+    type, bind(C) :: c_plastic_law_facts_t
+        integer(c_size_t) :: size = 0_c_size_t
+        real(c_double) :: yield_depth = 0.0_c_double
+        real(c_double) :: yield_force = 0.0_c_double
+        real(c_double) :: first_yield = 0.0_c_double
+        real(c_double) :: largest_depth = 0.0_c_double
+        real(c_double) :: largest_force = 0.0_c_double
+        real(c_double) :: largest_radius = 0.0_c_double
+        real(c_double) :: radius = 0.0_c_double
+        real(c_double) :: modulus = 0.0_c_double
+        real(c_double) :: work_of_adhesion = 0.0_c_double
+        real(c_double) :: tolerance = 0.0_c_double
+        real(c_double) :: error = 0.0_c_double
+        integer(c_int) :: memory_size = 0_c_int
+        integer(c_int) :: buffer_size = 0_c_int
+    end type c_plastic_law_facts_t
 
     !> struct mdr_structure_options
     type, bind(C) :: c_structure_options_t
