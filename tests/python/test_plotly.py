@@ -7,7 +7,7 @@ from conftest import ROOT
 
 from mdrcontact import problem, studies
 from mdrcontact.instruments import load_fit_file
-from mdrcontact.panels import Axis, Bars, Cells, Figure, Label, Line, Panel, Rule
+from mdrcontact.panels import Axis, Band, Bars, Cells, Figure, Label, Line, Panel, Rule
 
 pytest.importorskip("matplotlib")
 pytest.importorskip("plotly")
@@ -23,7 +23,18 @@ def load(name):
     return problem.load(PROBLEMS / f"{name}.toml")
 
 
+def fitted(study, name, ending="csv"):
+    file = load_fit_file(FITS / f"{name}.toml")
+    return study(file, file.read_data(FITS / f"{name}.{ending}")[0])
+
+
 STUDIES = {
+    "fit": lambda: fitted(studies.fit, "raw_afm_on_rubber", "txt"),
+    "fit of unloadings": lambda: fitted(studies.fit, "indent_on_oxide", "txt"),
+    "fit of a gel": lambda: fitted(studies.fit, "punch_on_hydrogel"),
+    "modulus": lambda: fitted(studies.modulus, "csm_on_oxide"),
+    "calibrate": lambda: fitted(lambda file, data: studies.calibrate(file, [("one", data)]), "csm_on_silica"),
+    "law": lambda: studies.law(load("sio2_on_si")),
     "curve": lambda: studies.curve(load("sio2_on_si"), pressures=True, references=True),
     "compare": lambda: studies.compare(load("sio2_on_si")),
     "stress": lambda: studies.stress(load("tin_on_steel"), maps=True, lines=True),
@@ -58,12 +69,16 @@ def test_a_study_has_the_same_axes_and_data_as_its_file(name):
         rules = [part for part in panel.parts if isinstance(part, Rule)]
         assert len(one.data) == len(panel.parts) - len(rules) and len(one.layout.shapes) == len(rules)
         lines = [line for line in axis.get_lines() if line.get_transform() == axis.transData and line.get_marker() != "_"]
-        assert sum(trace.type == "scatter" for trace in one.data) == len(lines)
-        for trace, line in zip((trace for trace in one.data if trace.type == "scatter"), lines, strict=True):
+        drawn_lines = [trace for trace in one.data if trace.type == "scatter" and trace.mode != "none"]
+        assert sum(isinstance(part, Band) for part in panel.parts) == sum(
+            getattr(trace, "fill", None) == "toself" for trace in one.data
+        )
+        for trace, line in zip(drawn_lines, lines, strict=True):
             assert np.array_equal(np.asarray(trace.x, dtype=float), np.asarray(line.get_xdata(), dtype=float), equal_nan=True)
             assert np.array_equal(np.asarray(trace.y, dtype=float), np.asarray(line.get_ydata(), dtype=float), equal_nan=True)
-        names = [part.name for part in panel.parts if isinstance(part, Line) and part.name]
-        assert [trace.name for trace in one.data if trace.showlegend] == names == axis.get_legend_handles_labels()[1]
+        names = [part.name for part in panel.parts if isinstance(part, Line | Band) and part.name]
+        assert [trace.name for trace in one.data if trace.showlegend] == names
+        assert sorted(axis.get_legend_handles_labels()[1]) == sorted(names)
 
 
 def test_ends_of_axes():
@@ -92,6 +107,12 @@ def test_a_map_that_is_cut_off_says_where():
     rest = cells._replace(values=np.full((5, 9), 1.0))
     assert "ends" in plotly.draw(figure(cells._replace(bar=False), rest))[0].data[1].colorbar.title.text
     assert "ends" not in plotly.draw(figure(rest))[0].data[0].colorbar.title.text
+
+
+def test_a_band_is_filled_between_its_ends():
+    (trace,) = plotly.draw(figure(Band(X, -X, X**2, "error", 1)))[0].data
+    assert (trace.mode, trace.fill, trace.fillcolor, trace.name) == ("none", "toself", "#D55E00", "error")
+    assert np.array_equal(trace.y, [*-X, *X[::-1] ** 2]) and np.array_equal(trace.x, [*X, *X[::-1]])
 
 
 def test_looks_of_lines_and_names():

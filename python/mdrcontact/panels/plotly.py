@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from .matplotlib import colour
-from .panel import Array, Axis, Bars, Cells, Label, Line, Panel, Part, Rule, Sheet, limits, side_of
+from .panel import Array, Axis, Band, Bars, Cells, Label, Line, Panel, Part, Rule, Sheet, limits, side_of
 
 _DASHES = ("solid", "dash", "dot")
 _MARKERS = {"o": "circle", "s": "square", "^": "triangle-up", "x": "x"}
@@ -69,6 +69,8 @@ def _trace(panel: Panel, part: Part, maps: list[Cells], above: bool) -> Iterator
         yield _label(panel, part, bool(maps), above)
     elif isinstance(part, Cells):
         yield _cells(part, np.concatenate([np.ravel(one.values) for one in maps]))
+    elif isinstance(part, Band):
+        yield _band(part)
     elif isinstance(part, Bars):
         width = np.diff(part.edges)
         look = {"color": colour(part.colour), "opacity": 0.6, "line": {"width": 1, "color": "white"}}
@@ -81,10 +83,16 @@ def _line(part: Line) -> dict[str, Any]:
     drawn: dict[str, Any] = {"type": "scatter", "x": part.x, "y": part.y, "name": _plain(part.name), "showlegend": bool(part.name)}
     drawn["mode"] = "+".join(["lines"] * (part.dash >= 0) + ["markers"] * bool(part.marker)) or "none"
     drawn["line"] = {"color": own, "width": 1.25 * part.width, "dash": _DASHES[max(part.dash, 0)]}
-    drawn["marker"] = {"color": own, "size": 6, "symbol": _MARKERS.get(part.marker, "circle")}
+    drawn["marker"] = {"color": own, "size": 3 if part.marker == "." else 6, "symbol": _MARKERS.get(part.marker, "circle")}
     if part.error is not None:
         drawn["error_y"] = {"type": "data", "array": part.error, "thickness": 1, "width": 3}
     return drawn if part.name else {**drawn, "hoverinfo": "x+y"}
+
+
+def _band(part: Band) -> dict[str, Any]:
+    around = {"x": np.concatenate([part.x, part.x[::-1]]), "y": np.concatenate([part.low, part.high[::-1]])}
+    look = {"mode": "none", "fill": "toself", "fillcolor": colour(part.colour), "opacity": 0.15, "hoverinfo": "skip"}
+    return {"type": "scatter", **around, **look, "name": _plain(part.name), "showlegend": bool(part.name)}
 
 
 def _rule(part: Rule, on_map: bool) -> dict[str, Any]:
