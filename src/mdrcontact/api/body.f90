@@ -220,7 +220,7 @@ contains
                 call new_material(material, layer%e, layer%nu, error, role)
             end if
         end if
-        call material%stretch(layer%prestress, error, role)
+        if (.not. allocated(error)) call material%stretch(layer%prestress, error, role)
         rheology = new_elastic_rheology(material)
     end subroutine read_layer
 

@@ -14,8 +14,8 @@ module mdrcontact_error
     implicit none (type, external)
     private
     public :: error_t, raise, explain, raise_at, code_text, count_text, to_text
-    public :: check_memory, check_choice, check_code, check_count_from, check_count_within, check_same_size, check_finite, &
-              check_positive, check_not_negative, check_within, check_poisson, check_inclination, check_table
+    public :: check_made, check_memory, check_choice, check_code, check_count_from, check_count_within, check_same_size, &
+              check_finite, check_positive, check_not_negative, check_within, check_poisson, check_inclination, check_table
     public :: success, error_null, error_invalid, error_domain, error_unreachable, error_no_convergence, &
               error_memory, error_callback, error_file, error_cancelled
 
@@ -96,6 +96,16 @@ contains
 
         if (.not. is_finite(value)) call raise_value(error, name, value, "it must be a finite number", entry)
     end subroutine check_finite
+
+    !> Raises unless an object was made: it may only have been declared, or its maker may have failed.
+    pure subroutine check_made(error, name, is_made)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        logical, intent(in) :: is_made
+
+        if (is_made) return
+        call raise(error, error_invalid, ": it has not been made, or making it failed. Make it, and check its error", name)
+    end subroutine check_made
 
     !> Raises unless the `stat` of an allocation is zero.
     pure subroutine check_memory(error, stat)

@@ -16,6 +16,8 @@ module mdrcontact_object
 
     !> An object that is immutable once created, and is copied by `room(from%bytes(), error)` and `allocate (to, source=from)`.
     type, abstract :: object_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
     contains
         !> what a copy takes for points, layers or cells [byte]; the rest is some MiB at most and is not counted
         procedure :: bytes => none

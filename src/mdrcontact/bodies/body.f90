@@ -8,7 +8,7 @@ module mdrcontact_body
     use mdrcontact_parameter, only: parameter_t
     use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_body_layers, only: layers_t
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_made, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     implicit none (type, external)
@@ -104,8 +104,10 @@ contains
         !> in the order of `parameters`
         real(wp), intent(in) :: values(:)
         class(body_t), allocatable, intent(out) :: body
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "body", self%is_made)
+        if (allocated(error)) return
         associate (unused => values)
         end associate
         call copy(self, body, error)

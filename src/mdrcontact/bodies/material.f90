@@ -2,7 +2,7 @@
 !> An elastic material: Young's modulus E and Poisson's ratio nu, or another stiffness along z, or a stress in its plane.
 module mdrcontact_material
     use mdrcontact_parameter, only: nature_poisson, parameter_t
-    use mdrcontact_error, only: check_poisson, check_positive, error_t
+    use mdrcontact_error, only: check_made, check_poisson, check_positive, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material_transverse, only: from_given, given_parameters, of_isotropic, transverse_t
     implicit none (type, external)
@@ -80,7 +80,7 @@ contains
         integer, intent(in) :: form
         !> in the order of `parameters`
         real(wp), intent(in) :: numbers(5)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         !> name of the body in error messages
         character(len=*), intent(in) :: role
         type(transverse_t) :: constants
@@ -114,10 +114,11 @@ contains
         !> in the order of `parameters`
         real(wp), intent(in) :: values(:)
         type(material_t), intent(out) :: material
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         !> name of the body in error messages
         character(len=*), intent(in) :: role
 
+        call check_made(error, "material", self%young > 0.0_wp)
         if (allocated(error)) return
         if (self%form == isotropic) then
             call new_material(material, values(1), values(2), error, role)
@@ -140,12 +141,14 @@ contains
         class(material_t), intent(inout) :: self
         !> tension > 0 [modulus]
         real(wp), intent(in) :: prestress
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         !> name of the layer in error messages
         character(len=*), intent(in) :: role
         type(transverse_t) :: constants
 
-        if (allocated(error) .or. prestress == 0.0_wp) return
+        call check_made(error, "material", self%young > 0.0_wp)
+        if (allocated(error)) return
+        if (prestress == 0.0_wp) return
         constants = self%as_transverse()
         call constants%stretched(prestress, self%constants, error, role//" ")
         self%is_plain = .false.

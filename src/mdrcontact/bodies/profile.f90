@@ -7,7 +7,7 @@
 module mdrcontact_profile
     use mdrcontact_object, only: object_t, room
     use mdrcontact_parameter, only: parameter_t
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_made, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: merge_breaks
     implicit none (type, external)
@@ -164,8 +164,10 @@ contains
         !> in the order of `parameters`
         real(wp), intent(in) :: values(:)
         class(profile_t), allocatable, intent(out) :: profile
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "profile", self%is_made)
+        if (allocated(error)) return
         call copy(self, profile, error)
         if (.not. allocated(error)) call profile%set(values, error)
     end subroutine with_parameters

@@ -10,7 +10,7 @@ module mdrcontact_contact
                                                 new_equilibrium
     use mdrcontact_contact_exact_zeta, only: exact_zeta
     use mdrcontact_contact_unstable_ranges, only: find_unstable_ranges
-    use mdrcontact_error, only: check_code, check_finite, check_not_negative, error_domain, error_invalid, error_t, &
+    use mdrcontact_error, only: check_code, check_finite, check_made, check_not_negative, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_contact_load, only: check_state, contact_load_t, new_contact_load
     use mdrcontact_gsl, only: disable_gsl_abort
@@ -44,6 +44,8 @@ module mdrcontact_contact
 
     !> An indenter on a medium. It holds copies of both and never changes; any number of threads may share it.
     type :: contact_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> what determines a state once the radius is known; read only
         type(equilibrium_t) :: equilibrium
         !> the adhesive branch; not allocated without adhesion
@@ -86,8 +88,12 @@ contains
         !> without it: no adhesion, zeta = 1
         type(contact_options_t), intent(in), optional :: options
 
+        call check_made(error, "profile", profile%is_made)
+        call check_made(error, "medium", medium%is_made)
+        if (allocated(error)) return
         call check_elastic(medium, error)
         if (.not. allocated(error)) call new_contact(self, profile, medium%solver, error, options)
+        self%is_made = .not. allocated(error)
     end subroutine new_contact_with_medium
 
     !> The same with a medium that is known by its solver.
@@ -99,10 +105,14 @@ contains
         type(contact_options_t), intent(in), optional :: options
         type(radius_law_t), allocatable :: zeta
 
+        call check_made(error, "profile", profile%is_made)
+        call check_made(error, "medium", medium%is_made)
+        if (allocated(error)) return
         call disable_gsl_abort()
         if (.not. present(options)) then
             call new_equilibrium(self%equilibrium, profile, medium, error)
             if (.not. allocated(error)) call find_unstable_ranges(self%equilibrium, error)
+            self%is_made = .not. allocated(error)
             return
         end if
         if (options%zeta_is_exact) then
@@ -113,6 +123,7 @@ contains
         end if
         if (.not. allocated(error)) call set_adhesion(self, options, error)
         if (.not. (allocated(error) .or. self%is_adhesive())) call find_unstable_ranges(self%equilibrium, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_contact_with_solver
 
     subroutine set_adhesion(self, options, error)
@@ -187,6 +198,8 @@ contains
         type(contact_load_t), intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "contact", self%is_made)
+        if (allocated(error)) return
         call new_contact_load(found, self%equilibrium, state, error)
     end subroutine load
 
@@ -202,6 +215,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         found = 0.0_wp
+        call check_made(error, "contact", self%is_made)
+        if (allocated(error)) return
         if (max(state%radius, state%zone_radius) <= 0.0_wp) return
         call check_state(self%equilibrium, state, error)
         if (allocated(error)) return
@@ -241,9 +256,11 @@ contains
         real(wp), intent(out) :: smallest, largest
         !> radii where indenter or medium are not analytic, ascending [length]
         real(wp), allocatable, intent(out) :: breaks(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: all_breaks(:)
 
+        call check_made(error, "contact", self%is_made)
+        if (allocated(error)) return
         end_radius = self%equilibrium%profile%end_radius
         smallest = max(end_radius, self%equilibrium%medium%smallest_radius)
         largest = max(smallest, self%equilibrium%last_radius)
@@ -260,6 +277,8 @@ contains
         type(contact_warning_t), allocatable, intent(out) :: found(:)
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "contact", self%is_made)
+        if (allocated(error)) return
         if (state%radius /= 0.0_wp) call check_state(self%equilibrium, state, error)
         if (allocated(error)) return
         call find_warnings(self%equilibrium, state, found)
@@ -276,6 +295,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: end_radius, wall_radius, smallest
 
+        call check_made(error, "contact", self%is_made)
+        if (allocated(error)) return
         call check_not_negative(error, "radius", radius)
         if (allocated(error)) return
         end_radius = self%equilibrium%profile%end_radius
@@ -317,6 +338,8 @@ contains
         !> states found last, which may save most of the work without adhesion
         type(neighbours_t), intent(inout), optional :: neighbours
 
+        call check_made(error, "contact", self%is_made)
+        if (allocated(error)) return
         call self%at_control(depth_control, "depth", depth, state, error, branch, neighbours)
         if (.not. allocated(error)) state%depth = depth
     end subroutine at_depth
@@ -333,6 +356,8 @@ contains
         !> states found last, which may save most of the work without adhesion
         type(neighbours_t), intent(inout), optional :: neighbours
 
+        call check_made(error, "contact", self%is_made)
+        if (allocated(error)) return
         call self%at_control(force_control, "force", force, state, error, branch, neighbours)
         if (.not. allocated(error)) state%force = force
     end subroutine at_force
@@ -361,6 +386,8 @@ contains
         type(neighbours_t), intent(inout), optional :: neighbours
         integer :: way
 
+        call check_made(error, "contact", self%is_made)
+        if (allocated(error)) return
         way = on_unloading
         if (present(branch)) way = branch
         call check_branch(error, way)
@@ -391,6 +418,8 @@ contains
         real(wp) :: smallest
         integer :: i, global
 
+        call check_made(error, "contact", self%is_made)
+        if (allocated(error)) return
         if (present(others)) allocate (others(0))
         if (.not. self%is_adhesive()) return
         call self%stable_segments(control, list, error)
@@ -422,6 +451,8 @@ contains
         type(stable_segment_t), allocatable, intent(out) :: list(:)
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "contact", self%is_made)
+        if (allocated(error)) return
         if (allocated(self%branch)) then
             call self%branch%stable_segments(self%equilibrium, control, list, error)
         else
@@ -439,6 +470,8 @@ contains
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "contact", self%is_made)
+        if (allocated(error)) return
         call self%branch%state_on(self%equilibrium, control, segment, s, state, error)
     end subroutine state_on_segment
 

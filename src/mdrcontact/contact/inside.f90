@@ -5,7 +5,7 @@ module mdrcontact_inside
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_load, only: contact_load_t
-    use mdrcontact_error, only: check_finite, check_not_negative, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_finite, check_made, check_not_negative, error_invalid, error_t, raise, to_text
     use mdrcontact_inside_body_field, only: body_field
     use mdrcontact_inside_energy, only: layer_energies
     use mdrcontact_inside_interior, only: components, s_zz, u_z
@@ -42,6 +42,8 @@ contains
         class(load_t), allocatable :: own
         integer :: i
 
+        call check_made(error, "load", load%is_made)
+        if (allocated(error)) return
         do i = 1, size(angle)
             call check_finite(error, "angle", angle(i), i)
         end do
@@ -73,6 +75,8 @@ contains
         logical :: inside(size(compared))
 
         deviation = 0.0_wp
+        call check_made(error, "load", load%is_made)
+        if (allocated(error)) return
         r = compared*load%state%radius
         call interior(load, upper, r, 0.0_wp*r, .true., 0.0_wp, 0.0_wp*r, field, error, 1)
         if (.not. allocated(error)) call load%pressure(r, pressure, error)
@@ -103,6 +107,8 @@ contains
         class(load_t), allocatable :: own
         type(layers_t) :: layers
 
+        call check_made(error, "load", load%is_made)
+        if (allocated(error)) return
         call load_inside(load, upper, own, error)
         if (.not. allocated(error)) call layers_of(load%equilibrium, upper, layers, error)
         if (allocated(error)) return

@@ -10,8 +10,8 @@ module mdrcontact_law
     use mdrcontact_nonfinite, only: is_finite, quiet_nan
     use mdrcontact_batch, only: check_threads
     use mdrcontact_contact, only: check_branch, on_loading, on_unloading
-    use mdrcontact_error, only: check_finite, check_positive, check_same_size, count_text, error_domain, error_invalid, error_t, &
-                                error_unreachable, raise, raise_at, to_text
+    use mdrcontact_error, only: check_finite, check_made, check_positive, check_same_size, count_text, error_domain, &
+                                error_invalid, error_t, error_unreachable, raise, raise_at, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_evaluate, only: count_within, energy_at, point_at, point_in, run_points, wanted_t
     use mdrcontact_law_friction, only: friction_law_t
@@ -48,6 +48,8 @@ module mdrcontact_law
 
     !> A compiled law. It never changes.
     type :: contact_law_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> F, a, k from the depth, and d, a, k from the force; `lowest` and `highest` are the ends of the range
         type(law_table_t) :: by_depth, by_force
         !> the tolerance set, and the largest error found on verification
@@ -86,6 +88,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         integer :: power
 
+        call check_made(error, "law", self%is_made)
+        if (allocated(error)) return
         call check_positive(error, "radius", radius)
         if (allocated(error)) return
         if (self%by_depth%adhesive) then
@@ -122,6 +126,8 @@ contains
         integer, intent(in), optional :: branch
         integer :: way, interval
 
+        call check_made(error, "law", self%is_made)
+        if (allocated(error)) return
         way = on_unloading
         if (present(branch)) way = branch
         call check_branch(error, way)
@@ -145,6 +151,8 @@ contains
         real(wp) :: compliance
         integer :: way
 
+        call check_made(error, "law", self%is_made)
+        if (allocated(error)) return
         way = on_unloading
         if (present(branch)) way = branch
         call check_branch(error, way)
@@ -318,6 +326,8 @@ contains
         integer, intent(in), optional :: threads
         type(wanted_t) :: wanted
 
+        call check_made(error, "law", self%is_made)
+        if (allocated(error)) return
         if (present(force)) wanted%other => force
         if (present(slope)) wanted%slope => slope
         if (present(radius)) wanted%radius => radius
@@ -340,6 +350,8 @@ contains
         integer, intent(in), optional :: threads
         type(wanted_t) :: wanted
 
+        call check_made(error, "law", self%is_made)
+        if (allocated(error)) return
         if (present(depth)) wanted%other => depth
         if (present(compliance)) wanted%slope => compliance
         if (present(radius)) wanted%radius => radius
@@ -394,6 +406,8 @@ contains
         real(wp) :: within
         integer :: interval
 
+        call check_made(error, "law", self%is_made)
+        if (allocated(error)) return
         if (segment < 0 .or. segment > size(self%by_depth%segments)) then
             call raise(error, error_invalid, "segment = "//count_text(segment)//": it must be 0 (open) or the value of the "// &
                        "last call")

@@ -6,8 +6,8 @@ module mdrcontact_wear
     use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth
-    use mdrcontact_error, only: check_memory, check_not_negative, check_positive, error_domain, error_invalid, error_t, &
-                                raise, to_text
+    use mdrcontact_error, only: check_made, check_memory, check_not_negative, check_positive, error_domain, error_invalid, &
+                                error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_profile_worn, only: worn_profile_t
     use mdrcontact_wear_limit, only: check_carries, check_control, find_limit, wear_limit_t
@@ -22,6 +22,8 @@ module mdrcontact_wear
 
     !> A contact and how fast its two sides wear.
     type :: wear_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> unworn
         type(contact_t) :: contact
         !> of the indenter
@@ -51,6 +53,8 @@ contains
         !> k >= 0 of the body, default 0 [1/modulus]
         real(wp), intent(in), optional :: body_coefficient
 
+        call check_made(error, "contact", contact%is_made)
+        if (allocated(error)) return
         if (present(thickness)) then
             call new_wear_rate(self%rate, coefficients, thickness, error)
         else
@@ -64,6 +68,7 @@ contains
         end if
         if (allocated(error)) return
         self%contact = contact
+        self%is_made = .not. allocated(error)
     end subroutine new_wear
 
     !> The end of fretting: see mdrcontact_wear_limit.
@@ -80,6 +85,8 @@ contains
         !> the worn indenter
         type(worn_profile_t), allocatable, intent(out), optional :: profile
 
+        call check_made(error, "wear", self%is_made)
+        if (allocated(error)) return
         call find_limit(self%contact, state, stick_radius, control, reached, error, profile)
     end subroutine limit
 
@@ -101,6 +108,8 @@ contains
         integer :: i, stat
 
         depths = 0.0_wp
+        call check_made(error, "wear", self%is_made)
+        if (allocated(error)) return
         call check_body(self, error)
         call check_positive(error, "passes", passes)
         do i = 1, size(y)
@@ -132,6 +141,8 @@ contains
         real(wp) :: axis(1)
 
         passes = 0.0_wp
+        call check_made(error, "wear", self%is_made)
+        if (allocated(error)) return
         call check_body(self, error)
         call check_positive(error, "depth", depth)
         if (.not. allocated(error)) call self%contact%load(state, load, error)
@@ -152,6 +163,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         length = 0.0_wp
+        call check_made(error, "wear", self%is_made)
+        if (allocated(error)) return
         call check_control(error, control)
         if (allocated(error)) return
         associate (profile => self%contact%equilibrium%profile)

@@ -5,7 +5,7 @@ module mdrcontact_medium
     use mdrcontact_object, only: object_t, room
     use mdrcontact_parameter, only: parameter_t
     use mdrcontact_body, only: body_t
-    use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_error, only: check_made, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_line_shared, only: kernel_cache_t
     use mdrcontact_medium_pair, only: new_pair
@@ -57,9 +57,12 @@ contains
         !> properties of its surface; default none
         type(surface_t), intent(in), optional :: surface
 
+        call check_made(error, "body", body%is_made)
+        if (allocated(error)) return
         self%model = model
         if (present(options)) self%options = options
         call new_solver(self%solver, body, model, error, options, shared, surface)
+        self%is_made = .not. allocated(error)
     end subroutine new_medium
 
     !> The medium of two bodies, of which a relaxing one may be the lower of a rigid upper one.
@@ -69,6 +72,9 @@ contains
         type(medium_t), intent(in) :: lower, upper
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "lower", lower%is_made)
+        call check_made(error, "upper", upper%is_made)
+        if (allocated(error)) return
         call check_elastic(upper, error)
         if (allocated(error)) return
         if (allocated(lower%relaxing) .and. upper%solver%is_rigid) then
@@ -81,6 +87,7 @@ contains
         ! under a rigid body it is the lower one alone
         self%model = lower%model
         self%options = lower%options
+        self%is_made = .not. allocated(error)
     end subroutine new_pair_of_media
 
     pure subroutine parameters(self, list)
@@ -115,6 +122,8 @@ contains
         type(kernel_cache_t), intent(inout) :: shared
         type(power_graded_t) :: power_graded
 
+        call check_made(error, "medium", self%is_made)
+        if (allocated(error)) return
         if (size(values) == 0) then
             call room(self%bytes(), error)
             if (.not. allocated(error)) medium = self

@@ -12,7 +12,7 @@ module mdrcontact_model
                                 model_gao, model_gao_power, model_gao_series, model_garcia, model_hay_crawford, &
                                 model_mencik_exponential, model_mencik_reciprocal, model_perriot_barthel, model_wave, &
                                 weight_nu_surface, word_of
-    use mdrcontact_error, only: code_text, count_text, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, code_text, count_text, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
     use mdrcontact_line_shared, only: kernel_cache_t
@@ -184,6 +184,8 @@ contains
         type(layered_exact_t), allocatable :: exact
         type(homogeneous_t), allocatable :: half_space
 
+        call check_made(error, "body", body%is_made)
+        if (allocated(error)) return
         if (present(options)) chosen = options
         call check_model(body, model, error)
         if (allocated(error)) return

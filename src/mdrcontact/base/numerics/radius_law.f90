@@ -26,6 +26,8 @@ module mdrcontact_numerics_radius_law
 
     !> The interpolated quantity. Beyond its largest radius it is not evaluated.
     type :: radius_law_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> of the table or the range; read only [length]
         real(wp) :: smallest_radius = 0.0_wp, largest_radius = 0.0_wp
         !> one of the two
@@ -81,6 +83,7 @@ contains
         self%breaks(:) = radius
         logarithms(:) = log(radius)
         call new_monotone_table(self%table, logarithms, values, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_radius_law_from_table
 
     !> The law f(a) between two radii, sampled to a relative tolerance. f is called here and never again.
@@ -125,6 +128,7 @@ contains
             call raise(error, error_no_convergence, "the function for "//name//" is not smooth enough to be sampled near a = "// &
                        to_text(logarithmic%last))
         end if
+        self%is_made = .not. allocated(error)
     end subroutine new_radius_law_from_function
 
     !> Size of a copy [byte].

@@ -104,6 +104,7 @@ contains
         self%is_film = last == 1 .and. all(moduli%is_plain)
         if (self%is_film) self%film = new_film(moduli(1)%poisson, moduli(2)%poisson, contrast)
         call take_numbers(self, thickness, moduli, below, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_chain
 
     pure recursive function bytes(self)

@@ -74,6 +74,7 @@ contains
         end do
         if (load /= twist_load) call new_transfers(self%plane, 4, antiderivative, ends, shear, poisson, error)
         if (load /= normal_load) call new_transfers(self%side, 2, antiderivative, ends, shear, poisson, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_gradation
 
     pure function moduli_of(shear, poisson) result(moduli)

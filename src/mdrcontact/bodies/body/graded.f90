@@ -9,8 +9,8 @@ module mdrcontact_body_graded
     use mdrcontact_body_gradation, only: gradation_t, new_gradation, nodes
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_body_sublayers, only: sublayer_ends
-    use mdrcontact_error, only: check_memory, check_poisson, check_positive, check_table, count_text, error_invalid, error_t, &
-                                raise, to_text
+    use mdrcontact_error, only: check_made, check_memory, check_poisson, check_positive, check_table, count_text, error_invalid, &
+                                error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
@@ -79,6 +79,7 @@ contains
             if (young(i + 1) /= young(1) .or. poisson(i + 1) /= poisson(1)) exit
         end do
         call build(self, merge(z(i), scale(z(2), -table_octaves), i > 1), error)
+        self%is_made = .not. allocated(error)
     end subroutine new_graded_body
 
     !> Depth, E and nu of each point of its table; none of functions.
@@ -102,9 +103,11 @@ contains
         class(graded_body_t), intent(in) :: self
         real(wp), intent(in) :: values(:)
         class(body_t), allocatable, intent(out) :: body
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(graded_body_t), allocatable :: graded
 
+        call check_made(error, "body", self%is_made)
+        if (allocated(error)) return
         if (.not. allocated(self%z)) then
             call copy(self, body, error)
             return
@@ -158,6 +161,7 @@ contains
             call check_poisson(error, "nu at z = "//to_text(depths(i)), nu)
         end do
         if (.not. allocated(error)) call build(self, edges(1), error)
+        self%is_made = .not. allocated(error)
     end subroutine new_graded_body_from_functions
 
     !> Adds to ascending depths those between which the constants are analytic; beyond the last they are constant [length].
@@ -257,6 +261,8 @@ contains
         real(wp) :: antiderivative(nodes + 1, nodes), t(nodes)
         integer :: i, n, stat
 
+        call check_made(error, "body", self%is_made)
+        if (allocated(error)) return
         n = size(self%ends) - 1
         call new_antiderivative(t, antiderivative, error)
         if (allocated(error)) return
@@ -279,6 +285,8 @@ contains
         type(layers_t), intent(out) :: layers
         type(error_t), allocatable, intent(inout) :: error
 
+        call check_made(error, "body", self%is_made)
+        if (allocated(error)) return
         associate (unused => self)
         end associate
         layers%rigid_base = .false.

@@ -92,6 +92,7 @@ contains
             call raise(error, error_invalid, "surface stretching = "//to_text(stretching)//": its length 2 K_m/E* = "// &
                        to_text(self%length)//" must be greater than 0, and within a factor 1e12 of the thicknesses")
         end if
+        self%is_made = .not. allocated(error)
         if (.not. (abs(self%excess) > 0.0_wp .and. has_springs)) return
         self%faded = finest*shortest
         self%first_depth = self%faded

@@ -10,7 +10,7 @@ module mdrcontact_body_stack
     use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_body_stability, only: check_stable
-    use mdrcontact_error, only: check_memory, check_positive, count_text, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, check_memory, check_positive, count_text, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, moduli_t
     use mdrcontact_material_transverse, only: transverse_t
@@ -69,6 +69,9 @@ contains
 
         rigid = substrate%young > huge(1.0_wp)
         if (present(rigid_base)) rigid = rigid .or. rigid_base
+        call check_made(error, "layers", all(layers%young > 0.0_wp))
+        call check_made(error, "substrate", rigid .or. substrate%young > 0.0_wp)
+        if (allocated(error)) return
         if (size(layers) /= size(thickness)) then
             call raise(error, error_invalid, "thickness must have as many values as there are layers, "// &
                        to_text(real(size(layers), wp))//", not "//to_text(real(size(thickness), wp)))
@@ -117,6 +120,7 @@ contains
             self%is_plain = self%is_plain .and. substrate%is_plain
         end if
         if (any(layers%constants%prestress < 0.0_wp)) call check_stable(self, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_stack
 
     !> The layers with neighbours of one material joined, and the substrate after them.
@@ -184,7 +188,7 @@ contains
         class(stack_t), intent(in) :: self
         real(wp), intent(in) :: values(:)
         class(body_t), allocatable, intent(out) :: body
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(material_t), allocatable :: materials(:)
         type(bond_t), allocatable :: bonds(:)
         real(wp), allocatable :: thickness(:)
@@ -193,6 +197,8 @@ contains
         integer :: i, first, last, stat
         character(len=:), allocatable :: role
 
+        call check_made(error, "body", self%is_made)
+        if (allocated(error)) return
         allocate (materials(size(self%layers) + 1), bonds(size(self%layers)), thickness(size(self%layers)), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
@@ -254,6 +260,8 @@ contains
         type(bond_t), allocatable :: bonds(:)
         integer :: i, count, stat
 
+        call check_made(error, "body", self%is_made)
+        if (allocated(error)) return
         allocate (chain)
         call join(self, count, materials, thickness, bonds, error)
         if (allocated(error)) return
@@ -275,6 +283,8 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer :: i, n, stat
 
+        call check_made(error, "body", self%is_made)
+        if (allocated(error)) return
         n = size(self%layers)
         layers%rigid_base = self%rigid_base
         allocate (layers%thickness(n), layers%shear(n + 1), layers%poisson(n + 1), layers%materials(n + 1), layers%bonds(n), &

@@ -5,7 +5,7 @@ module mdrcontact_body_wrinkling
     use mdrcontact_body_elements_interface, only: bond_t
     use mdrcontact_body_stability, only: softest_wave
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: count_text, error_memory, error_t, error_unreachable, raise, to_text
+    use mdrcontact_error, only: check_made, count_text, error_memory, error_t, error_unreachable, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_material, only: material_t
     use mdrcontact_material_transverse, only: transverse_t
@@ -36,12 +36,15 @@ contains
         integer, intent(in) :: which
         !> < 0: compression [modulus], and the wavelength of the wrinkles [length]
         real(wp), intent(out) :: stress, wavelength
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(stack_t) :: body
         real(wp) :: low, high, middle, k, stiffness
 
         stress = 0.0_wp
         wavelength = 0.0_wp
+        call check_made(error, "layers", all(layers%young > 0.0_wp))
+        call check_made(error, "substrate", rigid_base .or. substrate%young > 0.0_wp)
+        if (allocated(error)) return
         if (.not. allocated(error)) call stretched_stack(0.0_wp, error)
         if (allocated(error)) return
         high = 0.0_wp

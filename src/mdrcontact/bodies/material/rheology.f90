@@ -5,8 +5,8 @@
 !> between them as it is: theory/time.md (1.5)-(1.7).
 module mdrcontact_material_rheology
     use mdrcontact_parameter, only: nature_fraction, nature_not_negative, nature_poisson, parameter_t
-    use mdrcontact_error, only: check_not_negative, check_poisson, check_positive, count_text, error_invalid, error_t, raise, &
-                                to_text
+    use mdrcontact_error, only: check_made, check_not_negative, check_poisson, check_positive, count_text, error_invalid, &
+                                error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, moduli_t, new_material
     use mdrcontact_material_prony, only: creep_of, creep_t, merged, power_law_series, prony_t
@@ -19,6 +19,8 @@ module mdrcontact_material_rheology
 
     !> A material. Made by new_..., never changed.
     type :: rheology_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> constant Poisson's ratio, and constant bulk modulus [modulus]: the first holds where the second is 0
         real(wp) :: poisson = 0.0_wp, bulk = 0.0_wp
         !> shear modulus G(t), unless it is a power law
@@ -96,6 +98,7 @@ contains
         self%shear = merged(series)
         self%bulk = bulk
         if (.not. bulk > 0.0_wp) self%poisson = poisson
+        self%is_made = .not. allocated(error)
     end subroutine new_viscoelastic
 
     !> G(t) = modulus (t/time)^(-exponent), a fractional element (springpot).
@@ -124,6 +127,7 @@ contains
         self%exponent = exponent
         self%poisson = poisson
         allocate (self%shear%weight(0), self%shear%rate(0))
+        self%is_made = .not. allocated(error)
     end subroutine new_power_law_rheology
 
     !> A material without memory.
@@ -134,6 +138,7 @@ contains
         self%poisson = material%poisson
         self%shear%limit = material%shear()
         allocate (self%shear%weight(0), self%shear%rate(0))
+        self%is_made = material%young > 0.0_wp
     end function new_elastic_rheology
 
     !> Numbers of an elastic material: E, nu; of a power law: modulus, time, exponent, nu; of a Prony series the relaxed modulus,
@@ -173,6 +178,8 @@ contains
         real(wp) :: poisson, bulk
         integer :: n
 
+        call check_made(error, "material", self%is_made)
+        if (allocated(error)) return
         n = size(values)
         if (self%is_elastic()) then
             call new_material(material, values(1), values(2), error)
@@ -286,6 +293,8 @@ contains
         type(material_t), intent(out) :: material
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "material", self%is_made)
+        if (allocated(error)) return
         if (self%is_power_law()) then
             call raise(error, error_invalid, "limit: a power law has no glassy modulus, because its modulus diverges at short "// &
                 "times")
@@ -302,6 +311,8 @@ contains
         type(material_t), intent(out) :: material
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "material", self%is_made)
+        if (allocated(error)) return
         if (self%is_power_law() .or. .not. self%shear%limit > 0.0_wp) then
             call raise(error, error_invalid, "limit: this material has no relaxed modulus, because it is a liquid")
         else
@@ -318,6 +329,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: poisson
 
+        call check_made(error, "material", self%is_made)
+        if (allocated(error)) return
         poisson = self%poisson
         if (self%bulk > 0.0_wp) poisson = (3.0_wp*self%bulk - 2.0_wp*shear)/(2.0_wp*(3.0_wp*self%bulk + shear))
         call new_material(material, 2.0_wp*shear*(1.0_wp + poisson), poisson, error)
@@ -378,6 +391,7 @@ contains
         solid%poisson = self%poisson
         solid%bulk = self%bulk
         solid%shear = self%shear
+        solid%is_made = self%is_made
         if (self%is_power_law()) then
             solid%shear = power_law_series(self%time, self%exponent, shortest, longest, tolerance)
             solid%shear%weight = solid%shear%weight*self%modulus

@@ -86,7 +86,7 @@ contains
         type(transverse_t), intent(out) :: self
         !> C44 > 0, C11 > |C12|, C33 > 0, C33 (C11 + C12) > 2 C13^2 [modulus]
         real(wp), intent(in) :: c11, c12, c13, c33, c44
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         !> name of the body in error messages, with a blank behind it, or nothing
         character(len=*), intent(in) :: prefix
 
@@ -114,7 +114,7 @@ contains
         real(wp), intent(in) :: nu_t, nu_tz
         !> > 0 [modulus]
         real(wp), intent(in) :: g_z
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         !> name of the body in error messages, with a blank behind it, or nothing
         character(len=*), intent(in) :: prefix
         real(wp) :: rest
@@ -166,7 +166,7 @@ contains
         !> tension > 0 [modulus]
         real(wp), intent(in) :: prestress
         type(transverse_t), intent(out) :: stressed
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         !> name of the layer in error messages, with a blank behind it, or nothing
         character(len=*), intent(in) :: prefix
         character(len=:), allocatable :: words
@@ -178,7 +178,7 @@ contains
                                    self%c**2 + (self%h + prestress)*self%s33 > 0.0_wp .and. self%h + prestress > 0.0_wp
         if (is_stable) is_stable = stressed%root_square_sum() + 2.0_wp*stressed%root_product() > 0.0_wp
         if (is_stable) is_stable = stressed%contact() > 0.0_wp
-        if (allocated(error) .or. is_stable) return
+        if (is_stable) return
         words = ": a surface of this material is unstable under this compression"
         if (.not. abs(prestress) <= huge(1.0_wp)) words = ": it must be finite"
         call raise(error, error_invalid, prefix//"prestress = "//to_text(prestress)//words)

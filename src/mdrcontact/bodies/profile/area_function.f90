@@ -3,8 +3,8 @@
 !> Oliver, Pharr, J. Mater. Res. 7 (1992) 1564.
 module mdrcontact_profile_area_function
     use mdrcontact_parameter, only: nature_signed, nature_term, parameter_t
-    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, error_invalid, &
-                                error_t, raise, to_text
+    use mdrcontact_error, only: check_finite, check_made, check_not_negative, check_positive, count_text, error_invalid, error_t, &
+                                raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_profile, only: profile_t
@@ -88,6 +88,7 @@ contains
         if (min_height > 0.0_wp) breaks = [radius_at(coefficients, min_height)]
         call sample_from_height(self%sampled_profile_t, height, radius_at(coefficients, max_height), 0.0_wp, breaks, &
                                 scatter_of_heights(coefficients, min_height, max_height), error)
+        self%is_made = .not. allocated(error)
     end subroutine new_area_function_profile
 
     !> Its coefficients. The last one is the area next to the apex, unless another shape is below min_height.
@@ -107,9 +108,11 @@ contains
         class(area_function_t), intent(in) :: self
         real(wp), intent(in) :: values(:)
         class(profile_t), allocatable, intent(out) :: profile
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(area_function_t), allocatable :: other
 
+        call check_made(error, "profile", self%is_made)
+        if (allocated(error)) return
         allocate (other)
         call new_area_function_profile(other, values, self%min_height, self%max_height, error)
         call move_alloc(other, profile)

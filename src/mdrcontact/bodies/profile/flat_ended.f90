@@ -47,6 +47,7 @@ contains
         self%end_radius = end_radius
         self%inclination = inclination
         self%tangent = tan(inclination)
+        self%is_made = .not. allocated(error)
     end subroutine new_flat_cone
 
     !> A paraboloid with a flat end.
@@ -63,6 +64,7 @@ contains
         if (allocated(error)) return
         self%end_radius = end_radius
         self%curvature_radius = radius
+        self%is_made = .not. allocated(error)
     end subroutine new_flat_paraboloid
 
     pure subroutine parameters(self, list)

@@ -35,6 +35,7 @@ contains
         self%end_radius = radius
         self%largest_radius = radius
         self%has_wall = .true.
+        self%is_made = .not. allocated(error)
     end subroutine new_flat_punch
 
     pure subroutine parameters(self, list)

@@ -57,6 +57,7 @@ contains
         if (exponent == 2.0_wp) self%paraboloid_radius = 0.5_wp/coefficient
         self%mdr_coefficient = coefficient*0.5_wp*sqrt(pi)*exponent &
                                *exp(log_gamma(0.5_wp*exponent) - log_gamma(0.5_wp*(exponent + 1.0_wp)))
+        self%is_made = .not. allocated(error)
     end subroutine new_power_law
 
     !> A paraboloid f(r) = r^2/(2R): a sphere of radius R in contacts small against R.
@@ -74,6 +75,7 @@ contains
         self%mdr_coefficient = 1.0_wp/radius
         self%made_by = by_radius
         self%given = radius
+        self%is_made = .not. allocated(error)
     end subroutine new_paraboloid
 
     !> A cone f(r) = r tan(phi).
@@ -90,6 +92,7 @@ contains
         self%mdr_coefficient = half_pi*self%coefficient
         self%made_by = by_inclination
         self%given = inclination
+        self%is_made = .not. allocated(error)
     end subroutine new_cone
 
     pure subroutine parameters(self, list)

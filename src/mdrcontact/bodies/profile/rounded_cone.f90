@@ -48,6 +48,7 @@ contains
         self%blend_radius = blend_radius
         self%inclination = inclination
         self%tangent = tan(inclination)
+        self%is_made = .not. allocated(error)
     end subroutine new_rounded_cone
 
     pure subroutine parameters(self, list)

@@ -99,6 +99,7 @@ contains
         if (allocated(error)) return
         call f%move_to(self%f)
         call finish(self, flat_radius, all_breaks, error)
+        self%is_made = .not. allocated(error)
     end subroutine sample_from_height
 
     !> f on panels between the breaks and, towards the axis, by octaves.
@@ -159,6 +160,7 @@ contains
         if (allocated(error)) return
         call g%move_to(self%g)
         call finish(self, flat_radius, breaks, error)
+        self%is_made = .not. allocated(error)
     end subroutine sample_from_mdr
 
     subroutine finish(self, flat_radius, breaks, error)

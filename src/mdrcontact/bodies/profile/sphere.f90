@@ -39,6 +39,7 @@ contains
         self%radius = radius
         self%largest_radius = radius
         self%singular_radius = radius
+        self%is_made = .not. allocated(error)
     end subroutine new_sphere
 
     pure subroutine parameters(self, list)

@@ -62,6 +62,7 @@ contains
                 self%end_radius = min(self%end_radius, term%end_radius)
             end associate
         end do
+        self%is_made = .not. allocated(error)
     end subroutine new_profile_sum
 
     pure recursive function bytes(self)

@@ -30,6 +30,7 @@ contains
         if (allocated(error)) return
         flat = last_zero(f)
         call sample_from_height(self, table, r(size(r)), r(flat), r(flat + 1:size(r) - 1), epsilon(f), error)
+        self%is_made = .not. allocated(error)
     end subroutine new_tabulated_profile
 
     !> The indenter whose one-dimensional profile goes through the points (x, g), equation (4).
@@ -48,6 +49,7 @@ contains
         if (allocated(error)) return
         flat = last_zero(g)
         call sample_from_mdr(self, table, x(size(x)), x(flat), x(flat + 1:size(x) - 1), error)
+        self%is_made = .not. allocated(error)
     end subroutine new_profile_from_mdr
 
     !> An indenter from a function f(r), smooth but for a power of r at the axis. The function is called here and never again.
@@ -73,6 +75,7 @@ contains
         call new_user_height(user, watched, largest_radius, error)
         if (allocated(error)) return
         call sample_from_height(self, user, largest_radius, 0.0_wp, no_breaks, user%roughness, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_profile_from_function
 
     pure subroutine check_profile_table(x_name, x, y_name, y, error)

@@ -82,6 +82,7 @@ contains
                            depths(i) + 0.25_wp*step*(from + middle))
         end do
         call set_piece(self, 2*n, radii(n), 0.0_wp, 0.0_wp, depths(n))
+        self%is_made = .true.
         if (.not. present(surface)) return
         allocate (self%surface, source=surface, stat=stat)
         call check_memory(error, stat)

@@ -112,10 +112,12 @@ contains
                 self%last_radius = min(self%last_radius, zeta%largest_radius)
                 self%is_formula = .false.
                 self%roughness = max(self%roughness, interpolation_roughness)
+                self%is_made = .true.
                 return
             end if
         end if
         call copy(profile, self%profile, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_equilibrium
 
     pure recursive function bytes(self)

@@ -4,7 +4,7 @@
 module mdrcontact_contact_load
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_finite, check_not_negative, error_domain, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_finite, check_made, check_not_negative, error_domain, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_contact_cohesive_load, only: cohesive_load_t, new_cohesive_load
     use mdrcontact_medium_load, only: load_t
@@ -26,6 +26,8 @@ module mdrcontact_contact_load
     !> The load of a state. It is solved when it is made, never changes, and any number of threads may share it. It refers to its
     !> contact, which must outlive it.
     type :: contact_load_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> of the contact
         type(equilibrium_t), pointer :: equilibrium => null()
         !> whose load it is
@@ -64,6 +66,7 @@ contains
         else
             call equilibrium%medium%load(equilibrium%profile, state%radius, state%punch_depth, self%surface, error)
         end if
+        self%is_made = .not. allocated(error)
     end subroutine new_contact_load
 
     !> q(x), the line load of the one-dimensional springs, equation (5) or (21) [modulus length].
@@ -75,6 +78,8 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "load", self%is_made)
+        if (allocated(error)) return
         call check_positions(error, "x", x, max(self%state%radius, self%state%zone_radius))
         if (.not. allocated(error)) call self%surface%line_load(x, values, error)
     end subroutine line_load
@@ -89,6 +94,8 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "load", self%is_made)
+        if (allocated(error)) return
         call check_positions(error, "r", r, max(self%state%radius, self%state%zone_radius))
         if (.not. allocated(error)) call self%surface%pressure(r, values, error)
     end subroutine pressure
@@ -108,6 +115,8 @@ contains
         integer, allocatable :: places(:)
         integer :: i
 
+        call check_made(error, "load", self%is_made)
+        if (allocated(error)) return
         call check_positions(error, "r", r)
         call pick(r, places, outside, found, error, above=self%state%radius)
         if (allocated(error)) return
@@ -137,6 +146,8 @@ contains
         real(wp), allocatable :: found(:)
 
         values = 0.0_wp
+        call check_made(error, "load", self%is_made)
+        if (allocated(error)) return
         call self%surface%energies(found, error)
         if (allocated(found)) values = found
         if (allocated(found) .or. allocated(error)) return
@@ -156,6 +167,8 @@ contains
         integer :: round, i
 
         pressure = 0.0_wp
+        call check_made(error, "load", self%is_made)
+        if (allocated(error)) return
         radius = self%state%radius
         if (self%equilibrium%work_of_adhesion > 0.0_wp) then
             call raise(error, error_invalid, "lowest_pressure: it is defined without adhesion only, because the edge of an "// &
@@ -190,6 +203,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: pressure, radius
 
+        call check_made(error, "load", self%is_made)
+        if (allocated(error)) return
         if (.not. self%equilibrium%medium%is_exact .or. self%equilibrium%profile%is_spherical()) return
         call self%lowest_pressure(pressure, radius, error)
         if (allocated(error)) return

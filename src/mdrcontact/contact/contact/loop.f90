@@ -7,7 +7,8 @@ module mdrcontact_contact_loop
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact, only: contact_t, on_loading
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_count_within, check_memory, check_positive, error_t, error_unreachable, raise, to_text
+    use mdrcontact_error, only: check_count_within, check_made, check_memory, check_positive, error_t, error_unreachable, raise, &
+                                to_text
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -15,6 +16,8 @@ module mdrcontact_contact_loop
 
     !> The path of a cycle. A jump is two neighbouring points with the same position.
     type :: loop_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> what the machine controls: depth [length], force [modulus length^2], or the far end of the spring [length]
         real(wp), allocatable :: position(:)
         !> the states at these positions; radius 0 for separated bodies
@@ -58,6 +61,8 @@ contains
         integer, intent(in) :: count
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "contact", contact%is_made)
+        if (allocated(error)) return
         call check_positive(error, "largest", largest)
         call check_count_within(error, "points", count, 2, most_points)
         if (allocated(error)) return
@@ -70,6 +75,7 @@ contains
             call elastic_way(self, contact, control, largest, count, error)
         end if
         if (.not. allocated(error)) call resize(self, self%points, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_loop
 
     !> With adhesion: jump-in, contact, pull-off.

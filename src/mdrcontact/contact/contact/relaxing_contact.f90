@@ -4,7 +4,7 @@ module mdrcontact_contact_relaxing_contact
     use mdrcontact_object, only: room
     use mdrcontact_contact, only: check_adhesion, check_cohesion, contact_options_t
     use mdrcontact_contact_equilibrium, only: equilibrium_t, new_equilibrium
-    use mdrcontact_error, only: error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
     use mdrcontact_profile, only: profile_t
@@ -14,6 +14,8 @@ module mdrcontact_contact_relaxing_contact
 
     !> An indenter on a viscoelastic body. It holds copies of both and never changes.
     type :: relaxing_contact_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> the body
         type(viscoelastic_t), allocatable :: medium
         !> of the indenter with the body's elastic reference: how large contacts can be
@@ -35,6 +37,9 @@ contains
         !> without adhesion, or with a cohesive stress on a half-space; a zeta for a body under an approximate model
         type(contact_options_t), intent(in), optional :: options
 
+        call check_made(error, "profile", profile%is_made)
+        call check_made(error, "medium", medium%is_made)
+        if (allocated(error)) return
         if (present(options)) then
             call check_adhesion(options%work_of_adhesion, options%adhesion_rule, error)
             if (options%work_of_adhesion > 0.0_wp .or. options%cohesive_stress /= 0.0_wp) then
@@ -52,6 +57,7 @@ contains
         if (allocated(error)) return
         call room(medium%bytes(), error)
         if (.not. allocated(error)) allocate (self%medium, source=medium)
+        self%is_made = .not. allocated(error)
     end subroutine new_relaxing_contact
 
     !> Raises where the contact has a cohesive zone, which moves when anything does.

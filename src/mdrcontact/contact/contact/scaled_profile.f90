@@ -71,6 +71,7 @@ contains
                 self%moments(i) = self%moments(i - 1) + moment_between(self, self%radii(i - 1), self%radii(i))
             end if
         end do
+        self%is_made = .not. allocated(error)
     end subroutine new_scaled_profile
 
     elemental function height(self, x) result(y)

@@ -9,7 +9,7 @@ module mdrcontact_contact_values
     use mdrcontact_contact_inversion, only: neighbours_t
     use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_code, check_same_size, error_t, raise_at
+    use mdrcontact_error, only: check_code, check_made, check_same_size, error_t, raise_at
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_load, only: lower_body, upper_body
     implicit none (type, external)
@@ -68,6 +68,8 @@ contains
         type(states_batch_t) :: batch
         integer :: team, smallest
 
+        call check_made(error, "contact", contact%is_made)
+        if (allocated(error)) return
         team = 1
         if (present(threads)) team = threads
         call check_threads(error, team)
@@ -130,6 +132,8 @@ contains
         type(field_batch_t) :: batch
         integer :: wanted
 
+        call check_made(error, "load", load%is_made)
+        if (allocated(error)) return
         wanted = 1
         if (present(threads)) wanted = threads
         call check_threads(error, wanted)

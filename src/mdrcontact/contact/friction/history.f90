@@ -8,8 +8,8 @@ module mdrcontact_friction_history
     use mdrcontact_codes, only: given_shift => shift, given_tangential_force => tangential_force
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth, given_force
-    use mdrcontact_error, only: check_code, check_finite, check_not_negative, count_text, error_domain, error_invalid, error_t, &
-                                error_unreachable, raise, to_text
+    use mdrcontact_error, only: check_code, check_finite, check_made, check_not_negative, count_text, error_domain, &
+                                error_invalid, error_t, error_unreachable, raise, to_text
     use mdrcontact_friction_partial_slip, only: friction_t, tangential_state_t
     use mdrcontact_friction_rings, only: new_ring_grid, ring_grid_t, rings_t
     use mdrcontact_friction_springs, only: radius_at, springs_t
@@ -36,6 +36,8 @@ module mdrcontact_friction_history
     !> A contact with its past. It belongs to its user: copies are independent, and no two threads may advance one at a time.
     type :: friction_history_t
         private
+        !> whether it was made: set last by what makes it
+        logical, public :: is_made = .false.
         type(friction_t) :: friction
         !> G* [modulus]
         real(wp) :: modulus = 0.0_wp
@@ -75,6 +77,8 @@ contains
         integer :: count
 
         deepest = 0.0_wp
+        call check_made(error, "friction", friction%is_made)
+        if (allocated(error)) return
         if (present(largest_depth)) deepest = largest_depth
         count = 0
         if (present(rings)) count = rings
@@ -106,6 +110,7 @@ contains
                            "largest depth of its rings")
             end if
         end associate
+        self%is_made = .not. allocated(error)
     end subroutine new_friction_history
 
     !> One step of the path, in which depth and shift change proportionally; after a failure all is as before.
@@ -125,6 +130,8 @@ contains
         type(tangential_state_t) :: sheared
         real(wp) :: shift, dissipated, modulus(1)
 
+        call check_made(error, "history", self%is_made)
+        if (allocated(error)) return
         call check_cancelled(error)
         if (allocated(error)) return
         associate (contact => self%friction%contact)
@@ -178,6 +185,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         integer(int64) :: bytes
 
+        call check_made(error, "history", self%is_made)
+        if (allocated(error)) return
         bytes = self%friction%bytes()
         if (allocated(self%grid)) bytes = bytes + real_bytes*size(self%grid%products)
         call room(bytes, error)
@@ -186,6 +195,7 @@ contains
         other%modulus = self%modulus
         other%past = self%past
         if (allocated(self%grid)) other%grid = self%grid
+        other%is_made = .true.
     end subroutine copy
 
     !> T, what is dissipated and the radius of stick of a step.

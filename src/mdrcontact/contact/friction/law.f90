@@ -63,10 +63,12 @@ contains
         if (present(twist)) then
             if (twist) then
                 call new_twist_law(self%friction, self%by_depth, friction%contact, friction%coefficient, error, sliders)
+                self%is_made = .not. allocated(error)
                 return
             end if
         end if
         call new_friction_law(self%friction, friction, largest_depth, error, options, sliders)
+        self%is_made = .not. allocated(error)
     end subroutine new_law_with_friction
 
     !> Raises unless friction is that of a contact, as far as states show.
@@ -117,6 +119,7 @@ contains
             if (allocated(error)) return
             if (medium%has_free_springs) call verify_paths(self, friction, largest_depth, error)
         end associate
+        self%is_made = .not. allocated(error)
     end subroutine new_friction_law
 
     !> The shares of springs that interact: first shear of the contact at each level and half-way to the next.

@@ -12,7 +12,7 @@ module mdrcontact_friction_partial_slip
     use mdrcontact_object, only: object_t, room
     use mdrcontact_body_compliance, only: shear_load
     use mdrcontact_contact, only: contact_t
-    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_invalid, error_t, &
+    use mdrcontact_error, only: check_finite, check_made, check_not_negative, check_positive, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_contact_load, only: check_positions, contact_load_t
     use mdrcontact_medium_slip, only: slip_t
@@ -68,6 +68,8 @@ module mdrcontact_friction_partial_slip
     !> One normal state of it, sheared or twisted for the first time.
     type :: first_shear_t
         private
+        !> whether it was made: set last by what makes it
+        logical, public :: is_made = .false.
         class(slip_t), allocatable :: slip
         real(wp) :: coefficient = 0.0_wp
         integer :: way = along_surface
@@ -104,6 +106,8 @@ contains
         real(wp), intent(in) :: coefficient
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "contact", contact%is_made)
+        if (allocated(error)) return
         call check_positive(error, "coefficient", coefficient)
         if (contact%is_adhesive()) then
             call raise(error, error_invalid, "friction: it is not available with adhesion, because Coulomb's law is not "// &
@@ -113,8 +117,10 @@ contains
         call room(contact%equilibrium%bytes(), error)
         if (allocated(error)) return
         self%contact%equilibrium = contact%equilibrium
+        self%contact%is_made = .true.
         self%coefficient = coefficient
         call contact%equilibrium%medium%for_load(shear_load, self%tangential, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_friction
 
     pure recursive function bytes(self)
@@ -133,6 +139,9 @@ contains
         type(error_t), allocatable, intent(out) :: error
         class(slip_t), allocatable :: slip
 
+        call check_made(error, "friction", self%is_made)
+        call check_made(error, "load", load%is_made)
+        if (allocated(error)) return
         call check_load(load, error)
         if (.not. allocated(error)) call load%equilibrium%medium%slip(self%tangential, load%surface, slip, error)
         if (.not. allocated(error)) call new_first_shear(shear, slip, self%coefficient)
@@ -149,6 +158,9 @@ contains
         type(twisted_slip_t), allocatable :: twisted
         class(slip_t), allocatable :: slip
 
+        call check_made(error, "friction", self%is_made)
+        call check_made(error, "load", load%is_made)
+        if (allocated(error)) return
         call check_load(load, error)
         if (allocated(error)) return
         allocate (twisted)
@@ -183,6 +195,7 @@ contains
         self%radius = self%slip%radius
         self%sliding_force = coefficient*self%slip%force
         self%sliding_shift = coefficient*self%slip%sliding_shift
+        self%is_made = .true.
     end subroutine new_first_shear
 
     !> Whether it is turned about its axis, not displaced.
@@ -201,6 +214,8 @@ contains
         type(tangential_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "shear", self%is_made)
+        if (allocated(error)) return
         call check_finite(error, ways(self%way), shift)
         if (allocated(error)) return
         if (abs(shift) >= self%sliding_shift) then
@@ -221,6 +236,8 @@ contains
         type(tangential_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "shear", self%is_made)
+        if (allocated(error)) return
         call check_finite(error, trim(loads(self%way)), force)
         if (allocated(error)) return
         if (self%way == about_axis .and. abs(force) >= self%sliding_force) then
@@ -251,6 +268,8 @@ contains
         real(wp) :: c, shift, force, stiffness, rate
 
         load = 0.0_wp
+        call check_made(error, "shear", self%is_made)
+        if (allocated(error)) return
         c = max(radius, self%slip%smallest_stick, tiny(1.0_wp))
         if (.not. c < self%radius) return
         call self%slip%at(c, self%radius - c, shift, force, stiffness, rate, error)
@@ -270,6 +289,8 @@ contains
         real(wp) :: way
         integer :: i
 
+        call check_made(error, "shear", self%is_made)
+        if (allocated(error)) return
         do i = 1, size(shift)
             ! part of the way there, or back
             way = 2.0_wp*real(i - 1, wp)/real(size(shift) - 1, wp)
@@ -419,6 +440,8 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "shear", self%is_made)
+        if (allocated(error)) return
         call check_inside(self, state, "x", x, error)
         if (.not. allocated(error)) call self%slip%line_load(min(state%stick_radius, self%radius), x, values, error)
         if (.not. allocated(error)) values = load_factor(self, state)*values
@@ -434,6 +457,8 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "shear", self%is_made)
+        if (allocated(error)) return
         call check_inside(self, state, "r", r, error)
         if (.not. allocated(error)) call self%slip%traction(min(state%stick_radius, self%radius), r, values, error)
         if (.not. allocated(error)) values = load_factor(self, state)*values

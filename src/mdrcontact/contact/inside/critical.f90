@@ -5,7 +5,7 @@ module mdrcontact_inside_critical
     use mdrcontact_cancel, only: report_progress
     use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, tension, tresca, von_mises
     use mdrcontact_contact_load, only: contact_load_t
-    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_inside, only: check_friction, interior_error, layers_of, load_inside
     use mdrcontact_inside_largest, only: box_t, maximum_t, stressed_t
     use mdrcontact_kinds, only: wp
@@ -46,6 +46,8 @@ contains
         type(stressed_t) :: body
         integer :: i, n, stat
 
+        call check_made(error, "load", load%is_made)
+        if (allocated(error)) return
         call new_stressed(body, load, upper, friction, error, threads)
         if (allocated(error)) return
         allocate (maxima(size(of_layer)*body%layers%bodies() + size(of_interface)*size(body%layers%thickness) + 1), stat=stat)

@@ -8,8 +8,8 @@ module mdrcontact_inside_failure
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_memory, check_not_negative, count_text, error_cancelled, error_invalid, error_memory, &
-                                error_t, raise, to_text
+    use mdrcontact_error, only: check_made, check_memory, check_not_negative, count_text, error_cancelled, error_invalid, &
+                                error_memory, error_t, raise, to_text
     use mdrcontact_inside, only: layers_of
     use mdrcontact_inside_critical, only: check_deviation, largest_of, new_stressed
     use mdrcontact_inside_largest, only: maximum_t, stressed_t
@@ -90,6 +90,8 @@ contains
         real(wp), allocatable :: breaks(:)
         integer :: n, i, stat
 
+        call check_made(error, "contact", contact%is_made)
+        if (allocated(error)) return
         call check_not_negative(error, "friction", friction)
         call check_not_negative(error, "largest_radius", largest_radius)
         if (.not. allocated(error)) call layers_of(contact%equilibrium, upper, layers, error)

@@ -3,7 +3,7 @@
 !> from as text, the numbers in hexadecimal (every bit, on any machine), and a checksum.
 module mdrcontact_law_file
     use, intrinsic :: iso_fortran_env, only: int64
-    use mdrcontact_error, only: explain, check_memory, count_text, error_file, error_t, raise
+    use mdrcontact_error, only: check_made, check_memory, count_text, error_file, error_t, explain, raise
     use mdrcontact_file, only: path_length, read_file, write_file
     use mdrcontact_kinds, only: wp
     use mdrcontact_law, only: contact_law_t
@@ -41,6 +41,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         character(len=:), allocatable :: text
 
+        call check_made(error, "law", law%is_made)
+        if (allocated(error)) return
         call law_to_text(law, text, error)
         if (.not. allocated(error)) call write_file(path, text, error)
     end subroutine save_law
@@ -155,9 +157,11 @@ contains
         call add_energies(law%by_depth)
         call find_direct(law%by_depth)
         call find_direct(law%by_force)
-        if (.not. allocated(law%friction)) return
-        law%friction%continued = law%by_depth%continued
-        call close_friction(law%friction, shares, error)
+        if (allocated(law%friction)) then
+            law%friction%continued = law%by_depth%continued
+            call close_friction(law%friction, shares, error)
+        end if
+        law%is_made = .not. allocated(error)
     end subroutine law_from_text
 
     !> The friction of a law, not allocated if it has none, but for its levels; and the shares of springs that interact, none of
@@ -215,7 +219,8 @@ contains
             call find_direct(friction%by_force)
         end if
         call find_levels(friction, size(shares) > 0)
-        if (size(shares) == 0) return
+        friction%is_made = size(shares) == 0
+        if (friction%is_made) return
         if (size(shares) /= share_nodes*count_shares(friction%levels)) then
             call raise_invalid_law(error)
             return
@@ -229,6 +234,7 @@ contains
                 reshape(shares(next:next + share_nodes*m - 1), [share_nodes, m])
             next = next + share_nodes*m
         end do
+        friction%is_made = .true.
     end subroutine close_friction
 
     pure subroutine raise_invalid_law(error)

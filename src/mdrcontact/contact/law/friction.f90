@@ -16,7 +16,7 @@ module mdrcontact_law_friction
     use, intrinsic :: iso_fortran_env, only: int32
     use mdrcontact_batch, only: batch_t, run_batch
     use mdrcontact_contact, only: on_unloading
-    use mdrcontact_error, only: count_text, error_domain, error_invalid, error_t, raise, raise_at, to_text
+    use mdrcontact_error, only: check_made, count_text, error_domain, error_invalid, error_t, raise, raise_at, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_crc32, only: crc32_text
     use mdrcontact_law_evaluate, only: point_at, run_points, wanted_t
@@ -40,6 +40,8 @@ module mdrcontact_law_friction
     !> The law of a contact with friction. It never changes. The memory of a contact is a record of the caller, an array of
     !> memory_size() numbers, all 0 before the first step.
     type :: friction_law_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> Coulomb's law: F and k_t over S = int dF/k_t, which replaces the depth, and S over F
         type(law_table_t) :: by_shift, by_force
         !> mu [1]; 0 where the shear strength is constant
@@ -206,6 +208,8 @@ contains
         real(wp) :: level, compliance
 
         traction = 0.0_wp
+        call check_made(error, "law", self%is_made)
+        if (allocated(error)) return
         if (present(tangent)) tangent = 0.0_wp
         call check_step(self, force, shift, memory, error)
         if (allocated(error)) return
@@ -227,6 +231,8 @@ contains
         real(wp), intent(out), optional :: tangent(4, 3)
         real(wp) :: copy(size(memory))
 
+        call check_made(error, "law", self%is_made)
+        if (allocated(error)) return
         copy = memory
         call self%advance(force, shift, copy, traction, error, tangent)
     end subroutine attempt
@@ -238,11 +244,13 @@ contains
         type(contact_steps_t), intent(in) :: contacts
         !> at least 1, or 0 for as many as OpenMP offers
         integer, intent(in) :: threads
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(work_t) :: work
         integer :: i
 
         ! all are possible before the first one is done
+        call check_made(error, "law", self%is_made)
+        if (allocated(error)) return
         i = 1
         do
             i = i + valid_steps(self, contacts, i)
@@ -413,6 +421,8 @@ contains
 
         stored = 0.0_wp
         dissipated = 0.0_wp
+        call check_made(error, "law", self%is_made)
+        if (allocated(error)) return
         call check_memory(self, memory, error)
         if (allocated(error)) return
         stored = stored_energy(self%levels, memory)
@@ -431,6 +441,8 @@ contains
         real(wp), intent(inout), contiguous :: memory(:)
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "law", self%is_made)
+        if (allocated(error)) return
         if (.not. abs(norm2(normal) - 1.0_wp) <= loose) then
             call raise(error, error_invalid, " of length "//to_text(norm2(normal))//": its length must be 1", "normal")
         end if

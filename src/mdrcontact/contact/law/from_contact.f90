@@ -120,6 +120,7 @@ contains
         self%by_force%roots = self%by_depth%roots
         self%by_depth%continued = chosen%continue_beyond
         self%by_force%continued = chosen%continue_beyond
+        self%is_made = .not. allocated(error)
     end subroutine new_contact_law
 
     !> A flat punch: one state determines the law.

@@ -52,6 +52,7 @@ contains
         if (present(sliders)) self%friction%sliders = sliders
         call find_sliders(self, contact, self%friction, error)
         if (.not. allocated(error)) call verify(self%friction, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_law_with_shear_strength
 
     !> Radii, modulus and levels.

@@ -50,6 +50,7 @@ contains
         self%continued = by_depth%continued
         call find_levels(self, .false.)
         call verify(self, slip, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_twist_law
 
     !> M after one step at constant F, compared with the contact itself: phi and M at the largest radius times the ratio of another

@@ -5,8 +5,8 @@
 module mdrcontact_adhesion_cohesive_history
     use mdrcontact_cancel, only: check_cancelled, report_progress
     use mdrcontact_contact_control, only: control_t
-    use mdrcontact_error, only: check_memory, check_table, check_within, error_invalid, error_no_convergence, error_t, &
-                                error_unreachable, raise, to_text
+    use mdrcontact_error, only: check_made, check_memory, check_table, check_within, error_invalid, error_no_convergence, &
+                                error_t, error_unreachable, raise, to_text
     use mdrcontact_adhesion_cohesive_march, only: cohesive_march_t, first_attraction, jump_march, mark_edges, rest_march, &
                                                  start_march, step_apart, step_march
     use mdrcontact_adhesion_rate_state, only: rate_state_t
@@ -76,6 +76,8 @@ contains
         real(wp) :: accuracy, change
         integer :: level, one, other
 
+        call check_made(error, "contact", contact%is_made)
+        if (allocated(error)) return
         accuracy = default_tolerance
         if (present(tolerance)) then
             if (tolerance /= 0.0_wp) accuracy = tolerance

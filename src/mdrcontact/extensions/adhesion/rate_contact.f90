@@ -12,7 +12,8 @@ module mdrcontact_adhesion_rate_contact
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_range, only: coordinates_between
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_not_negative, check_positive, error_domain, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, check_not_negative, check_positive, error_domain, error_invalid, error_t, raise, &
+                                to_text
     use mdrcontact_adhesion_rate_law, only: rate_law_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_stiff_step, only: equation_t
@@ -30,6 +31,8 @@ module mdrcontact_adhesion_rate_contact
 
     !> Samples and law. Any number of threads may share it.
     type :: rate_contact_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> d0, F0, k and D over x
         type(curve_t) :: curve
         !> speed of the edge
@@ -81,6 +84,9 @@ contains
         real(wp) :: smallest, from, to
 
         smallest = 0.0_wp
+        call check_made(error, "contact", contact%is_made)
+        call check_made(error, "law", law%is_made)
+        if (allocated(error)) return
         if (present(smallest_radius)) smallest = smallest_radius
         call check_positive(error, "largest_radius", largest_radius)
         call check_not_negative(error, "smallest_radius", smallest)
@@ -111,6 +117,7 @@ contains
         to = min(self%last + margin, equilibrium%coordinate_of(equilibrium%last_radius))
         call coordinates_between(equilibrium, from, to, coordinates, error)
         if (.not. allocated(error)) call new_curve(self%curve, equilibrium, coordinates, tolerance, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_rate_contact
 
     !> Raises where the edge cannot move from any radius to any other.

@@ -4,8 +4,8 @@
 module mdrcontact_adhesion_rate_history
     use mdrcontact_cancel, only: check_cancelled, report_progress
     use mdrcontact_contact_control, only: control_t
-    use mdrcontact_error, only: check_finite, check_not_negative, check_within, error_domain, error_invalid, error_no_convergence, &
-                                error_t, error_unreachable, raise, to_text
+    use mdrcontact_error, only: check_finite, check_made, check_not_negative, check_within, error_domain, error_invalid, &
+                                error_no_convergence, error_t, error_unreachable, raise, to_text
     use mdrcontact_adhesion_rate_contact, only: edge_t, edge_equation_t, rate_contact_t
     use mdrcontact_adhesion_rate_state, only: account, break_edge, force_rate, note_force, note_lowest, rate_state_t
     use mdrcontact_kinds, only: pi, wp
@@ -61,6 +61,8 @@ contains
         real(wp) :: accuracy
         integer :: i
 
+        call check_made(error, "contact", contact%is_made)
+        if (allocated(error)) return
         accuracy = usual_tolerance
         if (present(tolerance)) then
             if (tolerance /= 0.0_wp) accuracy = tolerance

@@ -6,7 +6,7 @@
 !> Between closing_work and work the edge is at rest. Or both follow from how the surface relaxes, see
 !> extensions/adhesion/steady_crack.f90.
 module mdrcontact_adhesion_rate_law
-    use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_adhesion_steady_crack, only: new_steady_crack, steady_crack_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_material_rheology, only: rheology_t
@@ -21,6 +21,8 @@ module mdrcontact_adhesion_rate_law
 
     !> Made by new_rate_law, never changed.
     type :: rate_law_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> G of an edge that begins to open, and of one that begins to close [modulus length]
         real(wp) :: work = 0.0_wp, closing_work = 0.0_wp
         !> speeds at which the work is doubled and halved [length/time]
@@ -64,6 +66,7 @@ contains
             call raise(error, error_invalid, " = "//to_text(self%closing_work)//": it must be at most the work of an opening "// &
                        "edge, work = "//to_text(work), "closing_work")
         end if
+        self%is_made = .not. allocated(error)
     end subroutine new_rate_law
 
     !> The law of a surface whose cohesion does not depend on speed: all loss is in the solid around it.
@@ -75,6 +78,8 @@ contains
         real(wp), intent(in) :: work, cohesive_stress
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "material", material%is_made)
+        if (allocated(error)) return
         call check_positive(error, "work", work)
         call check_positive(error, "cohesive_stress", cohesive_stress)
         if (allocated(error)) return
@@ -83,6 +88,7 @@ contains
         self%crack_scale = work/cohesive_stress**2
         allocate (self%crack)
         call new_steady_crack(self%crack, material, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_surface_law
 
     !> Length of the cohesive zone of a crack at rest in the relaxed surface, pi E* work/(4 sigma_0^2) [length]; 0: not known.

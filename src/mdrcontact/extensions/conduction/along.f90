@@ -10,7 +10,7 @@ module mdrcontact_conduction_along
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_coordinate, only: coordinate_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_error, only: check_made, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -29,12 +29,14 @@ contains
         type(contact_state_t), intent(in) :: state
         !> [conductance], [conductance/force], [conductance/length]: at a vertical wall the radius stays, and both slopes are 0
         real(wp), intent(out) :: conductance, by_force, by_depth
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         real(wp) :: slope, rates(2)
 
         conductance = 0.0_wp
         by_force = 0.0_wp
         by_depth = 0.0_wp
+        call check_made(error, "conduction", conduction%is_made)
+        call check_made(error, "contact", contact%is_made)
         if (allocated(error)) return
         if (.not. state%radius > 0.0_wp) then
             call raise(error, error_invalid, "state: its radius is 0, so that no flux passes")

@@ -9,8 +9,8 @@ module mdrcontact_conduction_answers
     use mdrcontact_conduction_spot, only: set_series
     use mdrcontact_conduction_transient, only: basis_for, gaussian, given_flux, spot_at, uniform_centre, uniform_mean
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: check_code, check_finite, check_memory, check_not_negative, check_positive, error_domain, &
-                                error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_code, check_finite, check_made, check_memory, check_not_negative, check_positive, &
+                                error_domain, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_line_fields, only: line_load_t
     use mdrcontact_numerics_laplace, only: inverse_laplace
@@ -47,11 +47,13 @@ contains
         real(wp), intent(in) :: omega(:)
         !> same size as omega
         complex(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         real(wp) :: fastest
         integer :: i
 
         values = 0.0_wp
+        call check_made(error, "conduction", conduction%is_made)
+        if (allocated(error)) return
         call check_answer(answer, a, error)
         fastest = diffusivity_limit(conduction)
         do i = 1, size(omega)
@@ -179,8 +181,10 @@ contains
         real(wp), intent(in) :: time(:)
         !> same size as time
         real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "conduction", conduction%is_made)
+        if (allocated(error)) return
         call respond(conduction, answer, a, time, .false., values, error)
     end subroutine step_of
 
@@ -198,13 +202,15 @@ contains
         real(wp), intent(in) :: given(:)
         !> same size as time
         real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: since(:), ramp(:)
         real(wp) :: slope, before
         integer :: i, j, n, stat
         logical :: is_even
 
         values = 0.0_wp
+        call check_made(error, "conduction", conduction%is_made)
+        if (allocated(error)) return
         n = size(time)
         call check_answer(answer, a, error)
         call check_history(time, given, error)
@@ -309,7 +315,7 @@ contains
         real(wp), intent(in) :: r(:)
         !> same size as r [conductance/length^2]
         real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         complex(wp) :: s(own_nodes), weight(own_nodes, 1), conductance
         complex(wp), allocatable :: series(:), total(:)
         type(basis_t) :: basis
@@ -317,6 +323,8 @@ contains
         integer :: i
 
         values = 0.0_wp
+        call check_made(error, "conduction", conduction%is_made)
+        if (allocated(error)) return
         call check_answer(spot_conductance_answer, a, error)
         call check_time(conduction, a, time, 1, error)
         if (conduction%film > 0.0_wp .and. .not. allocated(error)) then

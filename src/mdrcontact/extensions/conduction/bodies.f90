@@ -5,7 +5,8 @@ module mdrcontact_conduction_bodies
     use mdrcontact_conduction_compliance, only: flux_compliance_t, new_flux_compliance
     use mdrcontact_conduction_conductors, only: conductors_t, insulating_base
     use mdrcontact_conduction_sink, only: add_sink
-    use mdrcontact_error, only: check_not_negative, check_positive, error_domain, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, check_not_negative, check_positive, error_domain, error_invalid, error_t, raise, &
+                                to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_conducting, only: conducting_t
     use mdrcontact_line_combine, only: add_kernels
@@ -26,6 +27,8 @@ module mdrcontact_conduction_bodies
 
     !> To be read only.
     type, extends(conducting_t) :: conduction_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> the lower one and, of two, the upper one
         type(conductors_t), allocatable :: bodies(:)
         !> the steady kernels of the bodies,
@@ -77,9 +80,11 @@ contains
         type(conductors_t), intent(in) :: bodies(:)
         !> R_c >= 0 [length^2/conductance]; b > 0, or 0 without a sink [length]
         real(wp), intent(in) :: film, sink
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         integer :: i, n
 
+        call check_made(error, "bodies", all(bodies%is_made))
+        if (allocated(error)) return
         call check_not_negative(error, "film", film)
         call check_not_negative(error, "sink", sink)
         if (allocated(error)) return
@@ -101,13 +106,15 @@ contains
                        "sink")
             return
         end if
-        if (self%is_insulated .and. .not. sink > 0.0_wp) return
+        self%is_made = self%is_insulated .and. .not. sink > 0.0_wp
+        if (self%is_made) return
         if (.not. self%largest_radius > 0.0_wp) then
             call raise(error, error_domain, " = "//to_text(sink)//": it must be more than "//to_text(nearest_sink)// &
                        " times the thickness of the layers on the insulating base", "sink")
             return
         end if
         call tabulate(self, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_conduction
 
     !> chi of the bodies together.
@@ -204,6 +211,8 @@ contains
         real(wp), intent(in) :: a
         type(error_t), allocatable, intent(inout) :: error
 
+        call check_made(error, "conduction", self%is_made)
+        if (allocated(error)) return
         call check_positive(error, "radius", a)
         if (allocated(error) .or. a <= self%largest_radius) return
         call raise(error, error_domain, " = "//to_text(a)//": it must be at most "//to_text(self%largest_radius)// &
@@ -215,6 +224,8 @@ contains
         class(conduction_t), intent(in) :: self
         type(error_t), allocatable, intent(inout) :: error
 
+        call check_made(error, "conduction", self%is_made)
+        if (allocated(error)) return
         if (allocated(error) .or. .not. self%is_insulated .or. self%sink > 0.0_wp) return
         call raise(error, error_invalid, "sink = 0: layers on an insulating base have no steady conductance. Give the radius "// &
                    "of a sink, or use steps and admittances")

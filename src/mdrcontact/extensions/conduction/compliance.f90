@@ -36,6 +36,7 @@ contains
 
         self%body = body
         self%scale = 2.0_wp*body%s(1)
+        self%is_made = .true.
         if (body%layers == 0) return
         self%first_depth = body%h(1)
         self%last_depth = body%depth()

@@ -35,6 +35,8 @@ module mdrcontact_conduction_conductors
 
     !> A body that conducts, top to bottom; made by new_conductors, read only.
     type :: conductors_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> half_space_base, perfect_base or insulating_base
         integer :: base = half_space_base
         !> layers that have a bottom
@@ -57,7 +59,7 @@ contains
         type(conductor_t), intent(in) :: layers(:)
         !> half_space_base, perfect_base or insulating_base
         integer, intent(in) :: base
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         integer :: i, n, stat
 
         if (allocated(error)) return
@@ -80,6 +82,7 @@ contains
         self%h = layers%thickness*self%stretch
         self%rate = layers%capacity/layers%along
         self%r = layers%resistance
+        self%is_made = .not. allocated(error)
     end subroutine new_conductors
 
     pure subroutine check_layer(layer, i, has_bottom, error)

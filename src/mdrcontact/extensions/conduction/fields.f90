@@ -6,7 +6,7 @@ module mdrcontact_conduction_fields
     use mdrcontact_conduction_film, only: film_spot_t, new_film_spot, terms_of_flux
     use mdrcontact_conduction_inside, only: fields_inside
     use mdrcontact_conduction_spot, only: new_spot, spot_conductance
-    use mdrcontact_error, only: check_choice, error_domain, error_t, raise, to_text
+    use mdrcontact_error, only: check_choice, check_made, error_domain, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_line_fields, only: line_load_t
     implicit none (type, external)
@@ -22,11 +22,12 @@ contains
         real(wp), intent(in) :: a
         !> [conductance], [conductance/length]
         real(wp), intent(out) :: conductance, slope
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(film_spot_t) :: spot
 
         conductance = 0.0_wp
         slope = 0.0_wp
+        call check_made(error, "conduction", self%is_made)
         if (allocated(error)) return
         if (allocated(self%table)) then
             if (a >= self%table%smallest_radius .and. a <= self%table%largest_radius) then
@@ -84,12 +85,14 @@ contains
         real(wp), intent(in) :: r(:)
         !> same size as r [conductance/length^2]
         real(wp), intent(out) :: density(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(film_spot_t) :: film
         type(line_load_t) :: spot
         integer :: i
 
         density = 0.0_wp
+        call check_made(error, "conduction", self%is_made)
+        if (allocated(error)) return
         call check(self, a, error)
         call check_inside(r, a, error)
         if (allocated(error)) return
@@ -118,7 +121,7 @@ contains
         logical, intent(in) :: lower
         !> same size as r
         real(wp), intent(out) :: potential(:), flux_z(:), flux_r(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(film_spot_t) :: film
         type(line_load_t) :: spot
         real(wp), allocatable :: q(:)
@@ -126,6 +129,8 @@ contains
         potential = 0.0_wp
         flux_z = 0.0_wp
         flux_r = 0.0_wp
+        call check_made(error, "conduction", self%is_made)
+        if (allocated(error)) return
         call check_choice(error, "body", body, 1, size(self%bodies), merge("1     ", "1 or 2", size(self%bodies) == 1))
         call check(self, a, error)
         if (allocated(error)) return

@@ -10,7 +10,7 @@ module mdrcontact_conduction_heat
     use mdrcontact_conduction_source, only: centre_and_arc, new_source, source_t, spinning
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_choice, error_invalid, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_choice, check_made, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_line_legendre, only: interaction_matrix, normalisation
     use mdrcontact_line_moments, only: is_smooth
@@ -48,7 +48,7 @@ contains
         !> mu v or mu omega, >= 0
         real(wp), intent(in) :: strength
         type(heat_t), intent(out) :: heat
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         !> coefficients of P_2j(x/a) (term, body)
         real(wp), allocatable, intent(out), optional :: loads(:, :)
         type(source_t) :: source
@@ -57,6 +57,9 @@ contains
         integer :: n, terms
         logical :: is_kinked
 
+        call check_made(error, "conduction", conduction%is_made)
+        call check_made(error, "contact", contact%is_made)
+        if (allocated(error)) return
         call conduction%check_steady(error)
         call conduction%check_radius(state%radius, error)
         if (conduction%film > 0.0_wp .and. size(conduction%bodies) > 1 .and. .not. allocated(error)) then
@@ -231,12 +234,15 @@ contains
         logical, intent(in) :: lower
         !> same size as r
         real(wp), intent(out) :: temperature(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(heat_t) :: heat
         real(wp), allocatable :: loads(:, :)
         real(wp) :: flux_z(size(r)), flux_r(size(r))
 
         temperature = 0.0_wp
+        call check_made(error, "conduction", conduction%is_made)
+        call check_made(error, "contact", contact%is_made)
+        if (allocated(error)) return
         call check_choice(error, "body", body, 1, size(conduction%bodies), &
                           merge("1     ", "1 or 2", size(conduction%bodies) == 1))
         if (.not. allocated(error)) call friction_heat(conduction, contact, state, motion, strength, heat, error, loads)

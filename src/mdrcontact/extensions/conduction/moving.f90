@@ -13,7 +13,7 @@ module mdrcontact_conduction_moving
     use mdrcontact_conduction_source, only: sliding
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_positive, error_domain, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, check_positive, error_domain, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_numerics_chebyshev, only: node, series_of_values, series_value, terms
     use mdrcontact_numerics_even_waves, only: even_waves
@@ -63,11 +63,14 @@ contains
         real(wp), intent(in) :: speed
         !> without the mean over the area
         type(heat_t), intent(out) :: heat
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(conduction_t) :: one
         type(heat_t) :: upper
         real(wp) :: share
 
+        call check_made(error, "conduction", conduction%is_made)
+        call check_made(error, "contact", contact%is_made)
+        if (allocated(error)) return
         call check_positive(error, "speed", speed)
         if (allocated(error)) return
         call conduction%check_steady(error)
@@ -96,6 +99,7 @@ contains
         one%largest_radius = conduction%largest_radius
         one%is_insulated = conduction%is_insulated
         one%sink = conduction%sink
+        one%is_made = .true.
     end subroutine single_body
 
     !> All heat into one body.

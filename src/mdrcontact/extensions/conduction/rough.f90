@@ -15,7 +15,8 @@ module mdrcontact_conduction_rough
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_positive, error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, check_positive, error_domain, error_invalid, error_no_convergence, error_t, raise, &
+                                to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_line_legendre, only: interaction_matrix, normalisation
     use mdrcontact_line_rule, only: new_rule, rule_t
@@ -43,9 +44,12 @@ contains
         real(wp), intent(in) :: kappa
         !> [conductance]
         real(wp), intent(out) :: conductance
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
 
         conductance = 0.0_wp
+        call check_made(error, "conduction", conduction%is_made)
+        call check_made(error, "contact", contact%is_made)
+        if (allocated(error)) return
         call check_positive(error, "kappa", kappa)
         if (.not. allocated(error)) call conductance_with(conduction, contact, state, proportional_t(kappa), conductance, error)
     end subroutine rough_conductance
@@ -60,10 +64,13 @@ contains
         real(wp), intent(in) :: roughness, slope, hardness, gas, jump
         !> [conductance]
         real(wp), intent(out) :: conductance
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(micro_contacts_t) :: law
 
         conductance = 0.0_wp
+        call check_made(error, "conduction", conduction%is_made)
+        call check_made(error, "contact", contact%is_made)
+        if (allocated(error)) return
         call new_micro_contacts(law, conduction, roughness, slope, hardness, gas, jump, error)
         if (.not. allocated(error)) call conductance_with(conduction, contact, state, law, conductance, error)
     end subroutine joint_conductance

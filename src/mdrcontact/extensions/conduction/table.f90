@@ -4,7 +4,7 @@
 module mdrcontact_conduction_table
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_fields, only: conductance_at
-    use mdrcontact_error, only: check_within, error_t
+    use mdrcontact_error, only: check_made, check_within, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_radius_law, only: new_radius_law_from_function
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
@@ -32,9 +32,11 @@ contains
         !> relative, 1e-10 to 1e-2
         real(wp), intent(in) :: tolerance
         type(conduction_t), intent(out) :: tabulated
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(per_radius_t), target :: function
 
+        call check_made(error, "conduction", conduction%is_made)
+        if (allocated(error)) return
         call check_within(error, "tolerance", tolerance, smallest_tolerance, largest_tolerance)
         call conduction%check_steady(error)
         call conduction%check_radius(largest, error)
@@ -51,9 +53,11 @@ contains
         class(per_radius_t), intent(inout) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
+        type(error_t), allocatable :: error
         real(wp) :: slope
 
-        call conductance_at(self%conduction, x, y, slope, self%error)
+        call conductance_at(self%conduction, x, y, slope, error)
+        if (allocated(error) .and. .not. allocated(self%error)) call move_alloc(error, self%error)
         self%known_slope = (slope - y/x)/x
         y = y/x
     end function value

@@ -6,7 +6,7 @@
 module mdrcontact_fit_body
     use mdrcontact_object, only: room
     use mdrcontact_parameter, only: parameter_t, prefixed
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_made, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_line_shared, only: kernel_cache_t
     use mdrcontact_medium, only: medium_t, new_pair
@@ -17,6 +17,8 @@ module mdrcontact_fit_body
 
     !> Which indenter on which medium; made by new_fit_body and read only.
     type :: fit_body_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> what trials are like: the indenter
         class(profile_t), allocatable :: profile
         !> and what it presses on
@@ -42,6 +44,10 @@ contains
         type(medium_t), intent(in), optional :: counterbody
         type(parameter_t), allocatable :: of_medium(:), of_counterbody(:)
 
+        call check_made(error, "profile", profile%is_made)
+        call check_made(error, "medium", medium%is_made)
+        if (present(counterbody)) call check_made(error, "counterbody", counterbody%is_made)
+        if (allocated(error)) return
         call room(profile%bytes() + medium%bytes(), error)
         if (present(counterbody)) call room(counterbody%bytes(), error)
         if (allocated(error)) return
@@ -57,6 +63,7 @@ contains
         self%of_indenter = size(self%parameters)
         self%of_medium = size(of_medium)
         self%parameters = [prefixed(self%parameters, "indenter."), of_medium, prefixed(of_counterbody, "upper.")]
+        self%is_made = .not. allocated(error)
     end subroutine new_fit_body
 
     !> Indenter and medium, a pair where there is a counterbody, with these numbers.

@@ -7,8 +7,8 @@
 module mdrcontact_lateral_field
     use mdrcontact_nonfinite, only: is_finite
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: check_memory, check_poisson, check_within, error_callback, error_no_convergence, error_t, raise, &
-                                to_text
+    use mdrcontact_error, only: check_made, check_memory, check_poisson, check_within, error_callback, error_no_convergence, &
+                                error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lateral_density, only: lateral_density_spheroidal
     use mdrcontact_lateral_structure, only: structure_t
@@ -80,6 +80,7 @@ contains
         call new_power_mean(mean, self%exponent, [1.0_wp], error)
         call check_poisson(error, "reference_nu", reference_nu)
         call check_within(error, "tolerance", self%tolerance, 1.0e-10_wp, 0.1_wp)
+        self%is_made = .not. allocated(error)
     end subroutine new_field_structure
 
     subroutine means(self, x, y, a, exponent, shear, poisson, error)
@@ -92,6 +93,8 @@ contains
 
         shear = 0.0_wp
         poisson = 0.0_wp
+        call check_made(error, "structure", self%is_made)
+        if (allocated(error)) return
         ! far from any result, and a ratio to one is still a number
         found = sqrt(huge(1.0_wp))
         order = lowest_order

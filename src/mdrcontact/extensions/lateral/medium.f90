@@ -2,7 +2,8 @@
 !> The medium that an indenter meets at one place of a laterally heterogeneous structure: E_eff(a, x, y) at fixed (x, y)
 !> (theory/lateral.md (1.1)).
 module mdrcontact_lateral_medium
-    use mdrcontact_error, only: check_count_within, check_memory, check_positive, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_count_within, check_made, check_memory, check_positive, error_invalid, error_t, raise, &
+                                to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_medium_tabulated, only: new_tabulated_medium, tabulated_medium_t
@@ -28,6 +29,8 @@ contains
         real(wp), allocatable :: radii(:), modulus(:)
         integer :: count, i, stat
 
+        call check_made(error, "structure", structure%is_made)
+        if (allocated(error)) return
         count = default_points
         if (present(points)) count = points
         call check_positive(error, "smallest_radius", smallest_radius)
@@ -47,6 +50,7 @@ contains
             call structure%modulus_at(x, y, radii(i), modulus(i), error)
         end do
         if (.not. allocated(error)) call new_tabulated_medium(self, radii, modulus, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_lateral_medium
 
 end module mdrcontact_lateral_medium

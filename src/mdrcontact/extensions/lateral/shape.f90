@@ -3,7 +3,7 @@
 module mdrcontact_lateral_shape
     use mdrcontact_nonfinite, only: infinity, is_finite, is_nan
     use mdrcontact_codes, only: shape_ball, shape_box, shape_fibre, shape_half_space, shape_layer, shape_pillar
-    use mdrcontact_error, only: check_finite, check_positive, count_text, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_finite, check_made, check_positive, count_text, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_section, only: ellipse, everything, rectangle, section_t, strip
     use mdrcontact_material, only: material_t
@@ -20,6 +20,8 @@ module mdrcontact_lateral_shape
 
     !> A body of one material.
     type :: shape_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> one of shape_...
         integer :: kind = shape_layer
         !> as above; directions have unit length
@@ -40,6 +42,8 @@ contains
         type(material_t), intent(in) :: material
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "material", material%young > 0.0_wp)
+        if (allocated(error)) return
         self%kind = kind
         self%parameters = parameters
         self%material = material
@@ -69,6 +73,7 @@ contains
             call raise(error, error_invalid, "kind = "//count_text(kind)//": it must be layer (0), half-space (1), ball (2), "// &
                        "fibre (3), pillar (4) or box (5)")
         end select
+        self%is_made = .not. allocated(error)
     end subroutine new_shape
 
     !> Cross-section of the body at depth z = a xi, in units of a and relative to the axis through (x, y).

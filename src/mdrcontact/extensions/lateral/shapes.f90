@@ -4,7 +4,7 @@
 module mdrcontact_lateral_shapes
     use, intrinsic :: iso_c_binding, only: c_size_t
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: check_poisson, check_within, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, check_poisson, check_within, error_no_convergence, error_t, raise, to_text
     use mdrcontact_gsl, only: gsl_sort
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lateral_breaks, only: depths_between, radii_between
@@ -50,6 +50,9 @@ contains
         real(wp), intent(in), optional :: exponent
         type(power_mean_t) :: mean
 
+        call check_made(error, "background", background%young > 0.0_wp)
+        call check_made(error, "shapes", all(shapes%is_made))
+        if (allocated(error)) return
         self%background = background
         self%shapes = shapes
         self%reference_nu = background%poisson
@@ -59,6 +62,7 @@ contains
         call new_power_mean(mean, self%exponent, [background%shear()], error)
         call check_poisson(error, "reference_nu", self%reference_nu)
         call check_within(error, "tolerance", self%tolerance, 1.0e-10_wp, 0.1_wp)
+        self%is_made = .not. allocated(error)
     end subroutine new_shapes
 
     !> Rules of rising order until two agree.
@@ -71,6 +75,8 @@ contains
         real(wp) :: moduli(0:size(self%shapes)), contrast(2, size(self%shapes)), excess(2), before(2), scale(2)
         integer :: nodes
 
+        call check_made(error, "structure", self%is_made)
+        if (allocated(error)) return
         shear = self%background%shear()
         poisson = self%background%poisson
         if (size(self%shapes) == 0) return

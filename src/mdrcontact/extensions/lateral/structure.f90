@@ -2,7 +2,7 @@
 !> Interface of a laterally heterogeneous structure: its effective moduli for a contact of radius a at (x, y) (theory/lateral.md
 !> (1.2)).
 module mdrcontact_lateral_structure
-    use mdrcontact_error, only: check_finite, check_positive, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_finite, check_made, check_positive, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -10,6 +10,8 @@ module mdrcontact_lateral_structure
 
     !> A half-space z > 0 whose moduli vary in all three directions. It never changes under evaluation.
     type, abstract :: structure_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> Poisson's ratio of the reference medium, whose flat-punch field gives the weights
         real(wp) :: reference_nu = 0.5_wp
         !> p of the power mean G_eff = [sum w G^p]^(1/p): 1 in parallel, -1 in series, 0 the mean of the logarithms
@@ -63,6 +65,8 @@ contains
         real(wp) :: shear, poisson, p
 
         value = 0.0_wp
+        call check_made(error, "structure", self%is_made)
+        if (allocated(error)) return
         p = self%exponent
         if (present(exponent)) p = exponent
         call check_finite(error, "x", x)
@@ -92,6 +96,8 @@ contains
         integer :: i
 
         values = 0.0_wp
+        call check_made(error, "structure", self%is_made)
+        if (allocated(error)) return
         do i = 1, size(values)
             call self%modulus_at(x(i), y(i), a(i), values(i), error, exponent)
             if (allocated(error)) return
@@ -109,6 +115,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         upper = 0.0_wp
+        call check_made(error, "structure", self%is_made)
+        if (allocated(error)) return
         call self%modulus(x, y, a, lower, error, -1.0_wp)
         if (.not. allocated(error)) call self%modulus(x, y, a, upper, error, 1.0_wp)
     end subroutine bounds

@@ -2,7 +2,7 @@
 !> Effective moduli at many places and radii of a structure, and its weights at many points, on one thread or several.
 module mdrcontact_lateral_values
     use mdrcontact_batch, only: batch_t, run_batch
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_made, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_density, only: lateral_density
     use mdrcontact_lateral_structure, only: structure_t
@@ -38,10 +38,12 @@ contains
         real(wp), intent(inout), target, contiguous :: values(:)
         !> at least 1, or 0 for as many as OpenMP offers
         integer, intent(in) :: threads
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(structure_batch_t) :: batch
         integer :: team
 
+        call check_made(error, "structure", structure%is_made)
+        if (allocated(error)) return
         team = threads
         if (structure%calls_user()) team = 1
         batch%structure => structure

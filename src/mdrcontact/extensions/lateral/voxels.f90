@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A structure given by voxels: the phase of every cell of a regular array, a micrograph or a tomogram (theory/lateral.md (2.9)).
 module mdrcontact_lateral_voxels
-    use mdrcontact_error, only: check_count_within, check_finite, check_memory, check_not_negative, check_poisson, &
+    use mdrcontact_error, only: check_count_within, check_finite, check_made, check_memory, check_not_negative, check_poisson, &
                                 check_positive, count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lateral_cells, only: cell_weights
@@ -59,6 +59,10 @@ contains
         type(power_mean_t) :: mean
         integer :: i, stat
 
+        call check_made(error, "phases", all(phases%young > 0.0_wp))
+        call check_made(error, "below", below%young > 0.0_wp)
+        if (present(beside)) call check_made(error, "beside", beside%young > 0.0_wp)
+        if (allocated(error)) return
         do i = 1, 3
             call check_positive(error, "spacing "//count_text(i), spacing(i))
         end do
@@ -103,6 +107,7 @@ contains
         call check_poisson(error, "reference_nu", self%reference_nu)
         if (present(exponent)) self%exponent = exponent
         call new_power_mean(mean, self%exponent, self%shear, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_voxels
 
     !> By direct summation: the weight of every cell. What is outside the array enters through the differences from it.
@@ -120,6 +125,8 @@ contains
 
         shear = 0.0_wp
         poisson = 0.0_wp
+        call check_made(error, "structure", self%is_made)
+        if (allocated(error)) return
         call new_power_mean(mean, exponent, [self%shear, self%below%shear(), self%beside%shear()], error)
         if (allocated(error)) return
         phases = mean%transformed(self%shear)

@@ -3,7 +3,7 @@
 module mdrcontact_poroelastic_history
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_codes, only: creep, depth, force, mean_creep, mean_relaxation, relaxation
-    use mdrcontact_error, only: check_code, check_table, error_t, raise_at
+    use mdrcontact_error, only: check_code, check_made, check_table, error_t, raise_at
     use mdrcontact_kinds, only: wp
     use mdrcontact_poroelastic_response, only: poroelastic_response
     use mdrcontact_poroelastic_table, only: poroelastic_t
@@ -36,6 +36,8 @@ contains
         integer :: step, ramp, i
 
         values = 0.0_wp
+        call check_made(error, "table", table%is_made)
+        if (allocated(error)) return
         call check_code(error, "given", given, [depth, force])
         call check_table(error, "time", time, merge("depth", "force", given == depth), path, 1)
         if (allocated(error)) return

@@ -3,7 +3,8 @@
 module mdrcontact_poroelastic_response
     use mdrcontact_codes, only: creep, mean_creep, mean_relaxation, paraboloid => paraboloid_relaxation, pore_pressure, &
                                 relaxation, total_pressure
-    use mdrcontact_error, only: check_code, check_not_negative, check_positive, error_domain, error_t, raise, raise_at, to_text
+    use mdrcontact_error, only: check_code, check_made, check_not_negative, check_positive, error_domain, error_t, raise, &
+                                raise_at, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_poroelastic_answers, only: loss, storage
     use mdrcontact_poroelastic_contact, only: flat, parabolic
@@ -39,6 +40,8 @@ contains
         integer :: i
 
         values = 0.0_wp
+        call check_made(error, "table", table%is_made)
+        if (allocated(error)) return
         call check_code(error, "answer", answer, columns)
         call check_units(shear_modulus, diffusivity, radius, error)
         if (allocated(error)) return
@@ -47,7 +50,9 @@ contains
         if (answer == paraboloid) scale = scale*2.0_wp/3.0_wp
         do i = 1, size(time)
             if (.not. time(i) >= 0.0_wp) call check_not_negative(error, "time", time(i), i)
-            call table%value(findloc(columns, answer, dim=1), diffusivity*time(i)/radius**2, values(i), error)
+            if (.not. allocated(error)) then
+                call table%value(findloc(columns, answer, dim=1), diffusivity*time(i)/radius**2, values(i), error)
+            end if
             if (allocated(error)) then
                 if (error%entry == 0) call raise_at(error, i)
                 return
@@ -70,13 +75,15 @@ contains
         integer :: i
 
         values = 0.0_wp
+        call check_made(error, "table", table%is_made)
+        if (allocated(error)) return
         call check_units(shear_modulus, diffusivity, radius, error)
         do i = 1, size(omega)
             call check_positive(error, "omega", omega(i), i)
             if (allocated(error)) return
             tau = diffusivity/(omega(i)*radius**2)
             call table%value(storage, tau, parts(1), error)
-            call table%value(loss, tau, parts(2), error)
+            if (.not. allocated(error)) call table%value(loss, tau, parts(2), error)
             if (allocated(error)) return
             values(i) = 8.0_wp*shear_modulus*radius*cmplx(parts(1), parts(2), wp)
         end do
@@ -100,6 +107,8 @@ contains
         integer :: i
 
         values = 0.0_wp
+        call check_made(error, "table", table%is_made)
+        if (allocated(error)) return
         call check_code(error, "kind", kind, [total_pressure, pore_pressure])
         call check_units(shear_modulus, diffusivity, radius, error)
         call check_positive(error, "time", time)

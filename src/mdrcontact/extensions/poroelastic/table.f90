@@ -6,7 +6,7 @@
 !> polynomials. Shorter times follow from the terms with which the responses begin, longer ones are solved one by one.
 module mdrcontact_poroelastic_table
     use mdrcontact_nonfinite, only: is_finite
-    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_chebyshev, only: chebyshev_sum, node, series_of_values, terms
     use mdrcontact_poroelastic_answers, only: at_end, at_frequency, basis_for, columns, first_time, in_time, storage
@@ -29,6 +29,8 @@ module mdrcontact_poroelastic_table
 
     !> A gel's responses, in units of those of an incompressible half-space.
     type :: poroelastic_t
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
         !> nu, drainage and the film's thickness
         type(gel_t) :: gel
         !> of the incompressible and of the drained body
@@ -75,6 +77,7 @@ contains
         call fill_early(self, error)
         if (.not. self%error <= allowed) call raise(error, error_no_convergence, "the table of this gel has an error of "// &
                                                     to_text(self%error)//", more than "//to_text(allowed))
+        self%is_made = .not. allocated(error)
     end subroutine new_poroelastic
 
     !> Response before the first decade: fitted to a few responses there and to the start of the decade, compared between them.
@@ -174,11 +177,13 @@ contains
         real(wp), intent(in) :: tau
         !> in units of that of an incompressible half-space
         real(wp), intent(out) :: y
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(basis_t) :: basis
         real(wp) :: x, all_values(columns)
         integer :: decade
 
+        call check_made(error, "table", self%is_made)
+        if (allocated(error)) return
         y = self%undrained(column)
         if (.not. is_finite(tau)) then
             call raise(error, error_no_convergence, "D t/a^2 exceeds the range of double precision: the arguments are too "// &

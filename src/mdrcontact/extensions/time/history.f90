@@ -4,7 +4,8 @@ module mdrcontact_time_history
     use mdrcontact_contact, only: contact_t, new_contact
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: contact_states, given_depth, given_force, given_radius
-    use mdrcontact_error, only: check_code, check_not_negative, check_table, check_within, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_code, check_made, check_not_negative, check_table, check_within, error_invalid, error_t, &
+                                raise, to_text
     use mdrcontact_time_follow, only: follow_depth
     use mdrcontact_time_steps, only: march_through
     use mdrcontact_time_under_force, only: follow_force
@@ -45,6 +46,8 @@ contains
         integer :: i
         logical :: covered
 
+        call check_made(error, "contact", contact%is_made)
+        if (allocated(error)) return
         accuracy = default_tolerance
         if (present(tolerance)) accuracy = tolerance
         depth = 0.0_wp

@@ -5,8 +5,8 @@ module mdrcontact_time_stiffness
     use mdrcontact_body_chain, only: chain_t
     use mdrcontact_body_compliance, only: normal_load
     use mdrcontact_codes, only: step_creep => creep, step_relaxation => relaxation
-    use mdrcontact_error, only: check_code, check_positive, error_domain, error_invalid, error_no_convergence, error_t, raise, &
-                                raise_at, to_text
+    use mdrcontact_error, only: check_code, check_made, check_positive, error_domain, error_invalid, error_no_convergence, &
+                                error_t, raise, raise_at, to_text
     use mdrcontact_contact_relaxing_contact, only: refuse_attraction, relaxing_contact_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_line_kernel, only: kernel_t
@@ -55,6 +55,8 @@ contains
         integer :: i
 
         values = 0.0_wp
+        call check_made(error, "contact", contact%is_made)
+        if (allocated(error)) return
         do i = 1, size(omega)
             call check_positive(error, "omega", omega(i), i)
             call check_radius(contact, radius(i), i, error)
@@ -84,6 +86,8 @@ contains
         integer :: i, j
 
         values = 0.0_wp
+        call check_made(error, "contact", contact%is_made)
+        if (allocated(error)) return
         call check_code(error, "step", step, [step_relaxation, step_creep])
         do i = 1, size(time)
             call check_positive(error, "time", time(i), i)

@@ -13,8 +13,8 @@ module mdrcontact_wear_history
     use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth, given_force
-    use mdrcontact_error, only: check_code, check_count_within, check_not_negative, check_positive, count_text, error_domain, &
-                                error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_code, check_count_within, check_made, check_not_negative, check_positive, count_text, &
+                                error_domain, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_profile_worn, only: new_worn_profile, worn_profile_t
     use mdrcontact_wear, only: wear_t
@@ -76,6 +76,8 @@ module mdrcontact_wear_history
     !> at a time.
     type :: wear_history_t
         private
+        !> whether it was made: set last by what makes it
+        logical, public :: is_made = .false.
         type(wear_t) :: wear
         type(hats_t) :: hats(2)
         logical :: has_rings = .false.
@@ -119,6 +121,8 @@ contains
         type(contact_state_t) :: state
         integer :: n
 
+        call check_made(error, "wear", wear%is_made)
+        if (allocated(error)) return
         call choose(self, intervals, scheme, n, error)
         call check_target(control, target, error)
         if (.not. allocated(error)) call check_indenter(wear, self%has_rings, error)
@@ -133,6 +137,7 @@ contains
         if (allocated(error)) return
         call begin(self, n, state%radius, control, target, error)
         if (.not. allocated(error)) call find_mark(wearing(self), state%radius, self%past%mark, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_wear_history
 
     !> Intervals and scheme.
@@ -304,6 +309,8 @@ contains
         type(wear_past_t) :: past
         real(wp) :: from, done, middle, next
 
+        call check_made(error, "history", self%is_made)
+        if (allocated(error)) return
         call check_not_negative(error, "sliding", sliding)
         if (.not. allocated(error)) call check_target(control, target, error)
         if (.not. allocated(error)) call check_fits(self%hats, self%past, error)
@@ -512,6 +519,8 @@ contains
         real(wp) :: radius
         integer :: i, n
 
+        call check_made(error, "history", self%is_made)
+        if (allocated(error)) return
         n = self%hats(2)%n
         allocate (profile)
         associate (coarse => self%past%discs(1), fine => self%past%discs(2))
@@ -552,12 +561,14 @@ contains
         real(wp), intent(in) :: r(:)
         !> same size as r [modulus]
         real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(wear_history_on_disc_t) :: on_disc
         real(wp) :: load(size(r))
         integer :: i
 
         values = 0.0_wp
+        call check_made(error, "history", self%is_made)
+        if (allocated(error)) return
         do i = 1, size(r)
             call check_not_negative(error, "r", r(i), i)
         end do
@@ -591,6 +602,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(wear_past_t) :: past
 
+        call check_made(error, "history", self%is_made)
+        if (allocated(error)) return
         past = self%past
         call read_past(wearing(self), numbers, past, error)
         if (.not. allocated(error)) self%past = past

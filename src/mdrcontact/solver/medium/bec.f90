@@ -3,7 +3,7 @@
 !> a wider disc, springs in series.
 !> Bec, Tonck, Loubet, Philos. Mag. 86 (2006) 5347.
 module mdrcontact_medium_bec
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_made, error_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_coated, only: coated_t
@@ -28,7 +28,11 @@ contains
         real(wp), intent(in) :: thickness
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "coating", coating%young > 0.0_wp)
+        call check_made(error, "substrate", substrate%young > 0.0_wp)
+        if (allocated(error)) return
         call self%set_bodies(coating, thickness, substrate, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_bec
 
     elemental function effective_modulus(self, a) result(value)

@@ -7,7 +7,7 @@
 !> a << R. They hold for chi < 1, and under no other indenter.
 !> Dimitriadis, Horkay, Maresca, Kachar, Chadwick, Biophys. J. 82 (2002) 2798; Garcia, Garcia, Biophys. J. 114 (2018) 2923.
 module mdrcontact_medium_bottom_effect
-    use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_effective, only: effective_medium_t
@@ -49,6 +49,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         integer :: k
 
+        call check_made(error, "layer", layer%young > 0.0_wp)
+        if (allocated(error)) return
         call check_positive(error, "thickness", thickness)
         if (layer%poisson /= 0.5_wp) then
             call raise(error, error_invalid, "coating nu = "//to_text(layer%poisson)//": this model needs nu = 0.5")
@@ -60,6 +62,7 @@ contains
         self%largest_radius = bottom_effect_ratio*thickness
         self%why_it_ends = ". The models dimitriadis and garcia are valid for a < h. For larger contacts use the model exact"
         self%coefficients = series*[(1.0_wp + k/3.0_wp, k=0, 4)]
+        self%is_made = .not. allocated(error)
     end subroutine new_bottom_effect
 
     elemental function effective_modulus(self, a) result(value)

@@ -2,7 +2,7 @@
 !> Coating after Doerner and Nix (theory/paper.md (3.8)): the compliances of coating and substrate with an exponential weight.
 !> Doerner, Nix, J. Mater. Res. 1 (1986) 601; Popov 2014, equation (11).
 module mdrcontact_medium_doerner_nix
-    use mdrcontact_error, only: check_positive, error_t
+    use mdrcontact_error, only: check_made, check_positive, error_t
     use mdrcontact_numerics_exponential, only: one_minus_exp, transition_exponents
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
@@ -34,11 +34,15 @@ contains
         !> decay constant > 0 of the exponential, about 1; default 1
         real(wp), intent(in), optional :: alpha
 
+        call check_made(error, "coating", coating%young > 0.0_wp)
+        call check_made(error, "substrate", substrate%young > 0.0_wp)
+        if (allocated(error)) return
         call self%set_bodies(coating, thickness, substrate, error)
         if (present(alpha)) then
             call check_positive(error, "alpha", alpha)
             self%alpha = alpha
         end if
+        self%is_made = .not. allocated(error)
     end subroutine new_doerner_nix
 
     elemental function effective_modulus(self, a) result(value)

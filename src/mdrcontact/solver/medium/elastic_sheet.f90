@@ -64,6 +64,7 @@ contains
             self%why_it_ends = ". Beyond 1000 lengths 2 K_m/E* the sheet contributes less than 0.2 %: omit it"
         end if
         call copy(body, self%pressed, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_elastic_sheet
 
     subroutine modulus(self, a, values, error, slopes)

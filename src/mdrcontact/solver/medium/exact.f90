@@ -8,7 +8,7 @@ module mdrcontact_medium_exact
     use mdrcontact_body, only: body_t, copy
     use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: check_within, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_made, check_within, error_invalid, error_t, raise
     use mdrcontact_medium_load, only: load_t, lower_body, upper_body
     use mdrcontact_medium_exact_load, only: exact_load_t, new_exact_load, part_t
     use mdrcontact_medium_slip, only: slip_t
@@ -73,6 +73,8 @@ contains
         !> data shared with media created before, which make this one cheaper
         type(kernel_cache_t), intent(inout), optional :: shared
 
+        call check_made(error, "body", body%is_made)
+        if (allocated(error)) return
         allocate (self%springs)
         if (present(tolerance)) then
             call check_within(error, "tolerance", tolerance, smallest_tolerance, largest_tolerance)
@@ -81,13 +83,14 @@ contains
         end if
         call solve_body(self, body, normal_load, error, shared)
         if (.not. allocated(error)) call copy(body, self%pressed, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_exact_from_body
 
     !> Any compliance under a normal load; what it is of is not known.
     subroutine new_exact_from_compliance(self, compliance, error, tolerance, shared)
         type(layered_exact_t), intent(out) :: self
         class(compliance_t), intent(in) :: compliance
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         real(wp), intent(in) :: tolerance
         type(kernel_cache_t), intent(inout), optional :: shared
 
@@ -95,6 +98,7 @@ contains
         allocate (self%springs)
         self%springs%tolerance = tolerance
         call solve_compliance(self, compliance, error, shared)
+        self%is_made = .not. allocated(error)
     end subroutine new_exact_from_compliance
 
     !> The kernel of a body under a load, and what follows from it.
@@ -159,14 +163,17 @@ contains
 
         call new_stack(stack, layers, thickness, substrate, error, rigid_base)
         if (.not. allocated(error)) call new_exact_from_body(self, stack, error, tolerance, shared)
+        self%is_made = .not. allocated(error)
     end subroutine new_exact_from_layers
 
     !> A homogeneous half-space, or a rigid one, to be paired.
     subroutine new_exact_from_homogeneous(self, homogeneous, error)
         type(layered_exact_t), intent(out) :: self
         class(homogeneous_t), intent(in) :: homogeneous
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "homogeneous", homogeneous%is_made)
+        if (allocated(error)) return
         if (allocated(homogeneous%pressed)) call copy(homogeneous%pressed, self%pressed, error)
         self%surface = homogeneous
         allocate (self%springs)
@@ -174,6 +181,7 @@ contains
         self%largest_radius = largest_homogeneous
         self%springs%tolerance = largest_tolerance
         call mark_exact(self)
+        self%is_made = .not. allocated(error)
     end subroutine new_exact_from_homogeneous
 
     !> Two bodies pressed together (theory/exact.md (5.1)): 1/E0* = 1/E1* + 1/E2*, X = E0* (X_1/E1* + X_2/E2*), and nothing else
@@ -201,6 +209,7 @@ contains
                                                      self%springs%kernel, error)
         self%surface_contrast = contrast_of(self%springs%kernel)
         call mark_exact(self)
+        self%is_made = .not. allocated(error)
     end subroutine new_exact_pair
 
     !> E0*/E_eff at large radii, or what it comes to at the unit if the base is stiff again.
@@ -222,6 +231,8 @@ contains
         type(solution_t) :: solution
         integer :: i
 
+        call check_made(error, "medium", self%is_made)
+        if (allocated(error)) return
         do i = 1, size(a)
             call solve_springs(self%springs%kernel, self%springs%tolerance, a(i), solution, error, edge=present(slopes))
             if (allocated(error)) return
@@ -243,6 +254,8 @@ contains
         type(solution_t) :: solution
         real(wp) :: tolerance
 
+        call check_made(error, "medium", self%is_made)
+        if (allocated(error)) return
         tolerance = self%springs%tolerance
         if (present(accuracy)) tolerance = max(tolerance, accuracy)
         ! of smooth indenters on films
@@ -276,6 +289,8 @@ contains
         real(wp) :: force
         integer :: i
 
+        call check_made(error, "medium", self%is_made)
+        if (allocated(error)) return
         do i = 1, size(a)
             call depth_and_force(self, profile, a(i), values(i), force, error)
             if (allocated(error)) return
@@ -291,6 +306,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(exact_load_t), allocatable :: own
 
+        call check_made(error, "medium", self%is_made)
+        if (allocated(error)) return
         allocate (own)
         call new_exact_load(own, self%springs, self%surface, profile, a, punch_depth, error, self%parts)
         if (.not. allocated(error)) call move_alloc(own, load)
@@ -303,6 +320,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(layered_exact_t), allocatable :: own
 
+        call check_made(error, "medium", self%is_made)
+        if (allocated(error)) return
         allocate (own)
         call new_under_load(own, self, load, error)
         if (.not. allocated(error)) call move_alloc(own, other)
@@ -325,6 +344,7 @@ contains
         else
             call new_body_under_load(medium, normal%springs%tolerance, normal%pressed, 1.0_wp, load, error)
         end if
+        medium%is_made = .not. allocated(error)
     end subroutine new_under_load
 
     subroutine new_body_under_load(medium, tolerance, body, share, load, error)
@@ -345,6 +365,7 @@ contains
             medium%springs%modulus = infinity
             medium%springs%tolerance = largest_tolerance
         end if
+        medium%is_made = .not. allocated(error)
     end subroutine new_body_under_load
 
     subroutine slip(self, tangential, load, found, error)
@@ -357,6 +378,9 @@ contains
         type(line_load_t) :: springs
         real(wp), allocatable :: sheared(:)
 
+        call check_made(error, "medium", self%is_made)
+        call check_made(error, "tangential", tangential%is_made)
+        if (allocated(error)) return
         select type (load)
         class is (exact_load_t)
             call load%take_series(springs, error)

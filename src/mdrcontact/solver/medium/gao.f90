@@ -8,8 +8,8 @@ module mdrcontact_medium_gao
     use mdrcontact_body_compliance, only: shear_load
     use mdrcontact_codes, only: gao_nu_effective => weight_nu_effective, gao_nu_given => weight_nu_given, &
                                 gao_nu_substrate => weight_nu_substrate, gao_nu_surface => weight_nu_surface
-    use mdrcontact_error, only: check_code, check_memory, check_poisson, check_positive, count_text, error_invalid, error_t, &
-                                raise
+    use mdrcontact_error, only: check_code, check_made, check_memory, check_poisson, check_positive, count_text, error_invalid, &
+                                error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_solver, only: refuse_load, solver_t
@@ -65,9 +65,13 @@ contains
         !> without it: in parallel, nu of the surface in I0
         type(gao_options_t), intent(in), optional :: options
 
+        call check_made(error, "coating", coating%young > 0.0_wp)
+        call check_made(error, "substrate", substrate%young > 0.0_wp)
+        if (allocated(error)) return
         call check_positive(error, "thickness", thickness)
         if (allocated(error)) return
         call new_gao_layered(self, [coating], [thickness], substrate, error, options)
+        self%is_made = .not. allocated(error)
     end subroutine new_gao
 
     !> Layers on a substrate.
@@ -83,6 +87,9 @@ contains
         type(gao_options_t), intent(in), optional :: options
         integer :: i, n, stat
 
+        call check_made(error, "layers", all(layers%young > 0.0_wp))
+        call check_made(error, "substrate", substrate%young > 0.0_wp)
+        if (allocated(error)) return
         if (size(layers) == 0 .or. size(layers) /= size(thickness)) then
             call raise(error, error_invalid, "there are "//count_text(size(layers))//" layers and "//count_text(size(thickness))// &
                        " thicknesses: there must be at least one layer, and one thickness for each")
@@ -110,6 +117,7 @@ contains
             self%shear(i) = self%mean%transformed(self%shear(i))
         end do
         call i0_poisson_choice(self%options, self%poisson(1), substrate%poisson, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_gao_layered
 
     !> Turns the choice of nu in I0 into its number, `options%weight_nu`.
@@ -140,6 +148,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(gao_t), allocatable :: own
 
+        call check_made(error, "medium", self%is_made)
+        if (allocated(error)) return
         if (load /= shear_load) then
             call refuse_load(self, load, error)
             return
@@ -154,6 +164,7 @@ contains
         own%options = self%options
         own%under_shear = .true.
         own%p = 2.0_wp
+        own%is_made = .true.
         call move_alloc(own, other)
     end subroutine for_load
 

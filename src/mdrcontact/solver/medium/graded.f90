@@ -9,7 +9,7 @@ module mdrcontact_medium_graded
     use mdrcontact_body_compliance, only: shear_load
     use mdrcontact_body_sublayers, only: is_integrated_by
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_made, check_memory, error_invalid, error_t, raise
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_solver, only: refuse_load, solver_t
@@ -73,6 +73,8 @@ contains
         real(wp), allocatable :: knots(:)
         integer :: i, stat
 
+        call check_made(error, "body", body%is_made)
+        if (allocated(error)) return
         call disable_gsl_abort()
         call body%add_breaks(knots, error)
         if (allocated(error)) return
@@ -105,6 +107,7 @@ contains
         call new_radius_law_from_function(self%law, average, "the effective modulus", average%top_depth, &
                                           average%bottom_depth*(knots(1)/average%top_depth), sampling_tolerance, error, &
                                           most_law_panels)
+        self%is_made = .not. allocated(error)
     end subroutine new_graded
 
     !> The ratio of the largest to the smallest G at the knots.
@@ -133,6 +136,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(graded_t), allocatable :: own
 
+        call check_made(error, "medium", self%is_made)
+        if (allocated(error)) return
         if (load /= shear_load) then
             call refuse_load(self, load, error)
             return

@@ -2,7 +2,7 @@
 !> Coating after Hay and Crawford (theory/paper.md (3.13)): Gao's weights with a film that can also act in parallel with the
 !> substrate. Hay, Crawford, J. Mater. Res. 26 (2011) 727.
 module mdrcontact_medium_hay_crawford
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_made, error_t
     use mdrcontact_weights, only: weight_i0, weight_i0_slope, weight_i1, weight_i1_slope, weight_j0, weight_j1
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
@@ -31,7 +31,11 @@ contains
         real(wp), intent(in) :: thickness
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "coating", coating%young > 0.0_wp)
+        call check_made(error, "substrate", substrate%young > 0.0_wp)
+        if (allocated(error)) return
         call self%set_bodies(coating, thickness, substrate, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_hay_crawford
 
     elemental function effective_modulus(self, a) result(value)

@@ -5,7 +5,7 @@ module mdrcontact_medium_homogeneous
     use mdrcontact_nonfinite, only: infinity
     use mdrcontact_body_compliance, only: twist_load
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: check_positive, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_made, check_positive, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_line_moments, only: is_smooth, profile_moments
     use mdrcontact_material, only: in_series, material_t
@@ -46,6 +46,7 @@ contains
         call set_modulus(self, material%contact())
         call new_stack(body, [material_t ::], [real(wp) ::], material, error)
         if (.not. allocated(error)) allocate (self%pressed, source=body)
+        self%is_made = material%young > 0.0_wp
     end subroutine new_homogeneous
 
     !> A rigid half-space: one body of a pair, not a medium alone.
@@ -53,6 +54,7 @@ contains
         type(homogeneous_t), intent(out) :: self
 
         call set_modulus(self, infinity)
+        self%is_made = .true.
     end subroutine new_rigid
 
     !> Two half-spaces pressed together, exactly: 1/E* = 1/E1* + 1/E2*.
@@ -65,6 +67,7 @@ contains
         call set_modulus(self, in_series(lower%contact_modulus, upper%contact_modulus))
         self%share_of_upper = self%contact_modulus/upper%contact_modulus
         call set_pair(self, lower, upper, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_homogeneous_pair
 
     !> E* [modulus]; infinite for a rigid body.
@@ -99,6 +102,7 @@ contains
         call check_positive(error, "contact_modulus", contact_modulus)
         if (allocated(error)) return
         call set_modulus(self, contact_modulus)
+        self%is_made = .not. allocated(error)
     end subroutine new_homogeneous_from_modulus
 
     elemental function effective_modulus(self, a) result(value)
@@ -129,6 +133,8 @@ contains
         real(wp), intent(out) :: depth, force
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "medium", self%is_made)
+        if (allocated(error)) return
         depth = profile%mdr(a)
         force = 2.0_wp*self%contact_modulus*profile%mdr_moment(a)
     end subroutine depth_and_force
@@ -158,9 +164,12 @@ contains
         type(homogeneous_t) :: own
         real(wp) :: moduli(2)
 
+        call check_made(error, "medium", self%is_made)
+        if (allocated(error)) return
         call moduli_under_shear(self, moduli, error)
         if (allocated(error)) return
         call set_modulus(own, merge(4.0_wp*moduli(1), moduli(2), load == twist_load))
+        own%is_made = .true.
         allocate (other, source=own)
     end subroutine for_load
 

@@ -2,7 +2,7 @@
 !> Coating after Mencik (theory/paper.md (3.10)): moduli, or compliances, with a weight that decays with a/h.
 !> Mencik, Munz, Quandt, Weppelmann, Swain, J. Mater. Res. 12 (1997) 2475.
 module mdrcontact_medium_mencik
-    use mdrcontact_error, only: check_positive, error_t
+    use mdrcontact_error, only: check_made, check_positive, error_t
     use mdrcontact_numerics_exponential, only: one_minus_exp, transition_exponents
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
@@ -37,12 +37,16 @@ contains
         !> decay constant > 0, usually fitted; default 1
         real(wp), intent(in), optional :: alpha
 
+        call check_made(error, "coating", coating%young > 0.0_wp)
+        call check_made(error, "substrate", substrate%young > 0.0_wp)
+        if (allocated(error)) return
         call self%set_bodies(coating, thickness, substrate, error)
         if (present(reciprocal)) self%reciprocal = reciprocal
         if (present(alpha)) then
             call check_positive(error, "alpha", alpha)
             self%alpha = alpha
         end if
+        self%is_made = .not. allocated(error)
     end subroutine new_mencik
 
     elemental function effective_modulus(self, a) result(value)

@@ -102,7 +102,7 @@ contains
 
         allocate (exact)
         call as_exact(lower, bare(1), first, error)
-        call as_exact(upper, bare(2), second, error)
+        if (.not. allocated(error)) call as_exact(upper, bare(2), second, error)
         if (.not. allocated(error)) call new_exact_pair(exact, first, second, error)
         if (.not. allocated(error)) call move_alloc(exact, medium)
     end subroutine add_exactly

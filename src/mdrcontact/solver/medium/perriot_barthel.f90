@@ -2,7 +2,7 @@
 !> Coating after Perriot and Barthel (theory/paper.md (3.12)): a fit to their own exact solution.
 !> Perriot, Barthel, J. Mater. Res. 19 (2004) 600.
 module mdrcontact_medium_perriot_barthel
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_made, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_coated, only: coated_t
@@ -33,10 +33,14 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: contrast
 
+        call check_made(error, "coating", coating%young > 0.0_wp)
+        call check_made(error, "substrate", substrate%young > 0.0_wp)
+        if (allocated(error)) return
         call self%set_bodies(coating, thickness, substrate, error)
         if (allocated(error)) return
         contrast = log10(substrate%contact()/coating%contact())
         self%transition = 10.0_wp**(-0.093_wp + 0.792_wp*contrast + 0.05_wp*contrast**2)
+        self%is_made = .not. allocated(error)
     end subroutine new_perriot_barthel
 
     elemental function effective_modulus(self, a) result(value)

@@ -7,7 +7,7 @@
 module mdrcontact_medium_power_graded
     use mdrcontact_nonfinite, only: infinity
     use mdrcontact_parameter, only: nature_poisson, nature_signed, parameter_t
-    use mdrcontact_error, only: check_poisson, check_positive, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, check_poisson, check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_material, only: in_series
@@ -103,6 +103,7 @@ contains
         self%corner_rule(:, 1) = roots**2
         self%corner_rule(:, 2) = 2.0_wp*roots*weights
         self%spring = spring_factor(exponent, poisson)*young/((1.0_wp - poisson)*(1.0_wp + poisson))*reference_depth**(-exponent)
+        self%is_made = .not. allocated(error)
     end subroutine new_power_graded
 
     !> The arguments of new_power_graded.
@@ -134,6 +135,7 @@ contains
         self%spring = in_series(lower%spring, upper%spring)
         self%share_of_upper = self%spring/upper%spring
         call set_pair(self, lower, upper, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_power_graded_pair
 
     !> H(m, nu), 1 for a homogeneous body.
@@ -155,6 +157,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp), intent(out), optional :: slopes(:)
 
+        call check_made(error, "medium", self%is_made)
+        if (allocated(error)) return
         values = self%spring*a**self%exponent/(1.0_wp + self%exponent)
         if (present(slopes)) slopes = self%spring*self%exponent*a**(self%exponent - 1.0_wp)/(1.0_wp + self%exponent)
     end subroutine modulus
@@ -172,6 +176,8 @@ contains
         real(wp) :: moments(2), value(1), slope(1)
         type(error_t), allocatable :: never
 
+        call check_made(error, "medium", self%is_made)
+        if (allocated(error)) return
         if (present(adhesive) .or. present(series)) continue
         if (present(accuracy)) accuracy = 0.0_wp
         moments = slope_moments(self, profile, a, error)
@@ -190,6 +196,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(power_graded_load_t), allocatable :: own
 
+        call check_made(error, "medium", self%is_made)
+        if (allocated(error)) return
         if (allocated(error)) continue
         allocate (own)
         own%medium => self

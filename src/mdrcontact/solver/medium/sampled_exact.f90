@@ -50,6 +50,7 @@ contains
         self%smallest_radius = 0.0_wp
         self%why_it_ends = ", where the sampled modulus of the exact body ends; take the model exact for both bodies"
         call copy(exact%pressed, self%pressed, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_sampled_exact
 
 end module mdrcontact_medium_sampled_exact

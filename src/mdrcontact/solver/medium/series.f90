@@ -58,6 +58,7 @@ contains
         self%smallest_radius = max(lower%smallest_radius, upper%smallest_radius)
         self%roughness = max(lower%roughness, upper%roughness)
         call set_pair(self, lower, upper, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_series
 
     !> Each of the two holds its body, which is also one of the pair's.

@@ -11,7 +11,7 @@ module mdrcontact_medium_solver
     use mdrcontact_object, only: object_t, room
     use mdrcontact_body, only: body_t, copy
     use mdrcontact_body_compliance, only: twist_load
-    use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_error, only: check_made, error_invalid, error_t, raise
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_kinds, only: wp
@@ -224,6 +224,9 @@ contains
         class(slip_t), allocatable, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "medium", self%is_made)
+        call check_made(error, "tangential", tangential%is_made)
+        if (allocated(error)) return
         associate (unused => self, also_unused => tangential, unused_too => load, this_too => found)
         end associate
         call raise(error, error_invalid, "medium: friction is not available")
@@ -237,6 +240,8 @@ contains
         class(solver_t), allocatable, intent(out) :: other
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "medium", self%is_made)
+        if (allocated(error)) return
         associate (unused => other)
         end associate
         call refuse_load(self, load, error)

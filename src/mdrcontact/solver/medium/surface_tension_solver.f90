@@ -108,16 +108,21 @@ contains
         self%is_modulus_formula = .false.
         call set_lengths(self, error)
         if (allocated(error)) return
-        if (surface%bending > 0.0_wp .or. self%compliance%first_depth > 0.0_wp .or. self%bare_excess > 0.0_wp) return
+        if (surface%bending > 0.0_wp .or. self%compliance%first_depth > 0.0_wp .or. self%bare_excess > 0.0_wp) then
+            self%is_made = .true.
+            return
+        end if
         if (present(shared)) then
             if (allocated(shared%punches)) then
                 self%table = shared%punches
+                self%is_made = .true.
                 return
             end if
         end if
         allocate (self%table)
         call new_punch_table(self%table, self%compliance, error)
         if (present(shared) .and. .not. allocated(error)) shared%punches = self%table
+        self%is_made = .not. allocated(error)
     end subroutine new_surface_tension_solver
 
     !> Phi, and between which radii the solver holds.

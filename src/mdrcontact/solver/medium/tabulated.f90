@@ -39,6 +39,7 @@ contains
 
         call new_radius_law_from_table(self%law, radius, "moduli", moduli, error)
         if (.not. allocated(error)) call take_range(self)
+        self%is_made = .not. allocated(error)
     end subroutine new_tabulated_medium
 
     !> E_eff(a) by a function, which is called here and never again.
@@ -63,6 +64,7 @@ contains
         call new_radius_law_from_function(self%law, modulus, "the modulus", smallest_radius, largest_radius, tolerance, error, &
                                           everywhere=everywhere)
         if (.not. allocated(error)) call take_range(self)
+        self%is_made = .not. allocated(error)
     end subroutine new_medium_from_function
 
     pure subroutine take_range(self)

@@ -2,7 +2,7 @@
 !> The effective modulus of a medium at many contact radii, on one thread or several.
 module mdrcontact_medium_values
     use mdrcontact_batch, only: batch_t, run_batch
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_made, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_solver, only: solver_t
     implicit none (type, external)
@@ -31,9 +31,11 @@ contains
         real(wp), intent(inout), target, contiguous :: values(:)
         !> at least 1, or 0 for as many as OpenMP offers
         integer, intent(in) :: threads
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(modulus_batch_t) :: batch
 
+        call check_made(error, "medium", medium%is_made)
+        if (allocated(error)) return
         batch%medium => medium
         batch%a => a
         batch%values => values

@@ -8,7 +8,7 @@ module mdrcontact_medium_viscoelastic
     use mdrcontact_body_chain, only: chain_t, new_chain
     use mdrcontact_body_elements_interface, only: bond_of, bond_t
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: check_memory, check_positive, count_text, error_t
+    use mdrcontact_error, only: check_made, check_memory, check_positive, count_text, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_line_shared, only: kernel_cache_t
     use mdrcontact_material, only: material_t, moduli_t, new_material
@@ -72,6 +72,9 @@ contains
         type(stack_t) :: body
         integer :: i, stat
 
+        call check_made(error, "materials", all(materials(:size(thickness))%is_made))
+        if (.not. rigid_base) call check_made(error, "materials", materials(size(materials))%is_made)
+        if (allocated(error)) return
         do i = 1, size(thickness)
             call check_positive(error, "thickness", thickness(i), i)
         end do
@@ -104,6 +107,7 @@ contains
             call new_stack(body, elastic(:size(thickness)), thickness, elastic(size(thickness) + 1), error, rigid_base, self%bonds)
             if (.not. allocated(error)) call new_solver(self%reference, body, model, error, options, shared)
         end if
+        self%is_made = .not. allocated(error)
     end subroutine new_viscoelastic_medium
 
     !> For each material, top to bottom, its numbers, and behind those of a layer its thickness, and K_n and K_t of the interface
@@ -144,6 +148,8 @@ contains
         type(parameter_t), allocatable :: own(:)
         integer :: i, first, stat
 
+        call check_made(error, "medium", self%is_made)
+        if (allocated(error)) return
         allocate (materials(size(self%materials)), thickness(size(self%thickness)), bonds(size(self%thickness)), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
@@ -222,6 +228,8 @@ contains
         type(moduli_t) :: moduli(size(self%thickness) + 1)
 
         ! of a rigid base any
+        call check_made(error, "medium", self%is_made)
+        if (allocated(error)) return
         moduli(size(moduli)) = moduli_t((1.0_wp, 0.0_wp), (2.0_wp, 0.0_wp), (0.0_wp, 0.0_wp))
         moduli(:size(self%materials)) = self%materials%moduli_at(s)
         call new_chain(chain, load, self%thickness, moduli, self%rigid_base, error, self%bonds)

@@ -2,7 +2,7 @@
 !> Coating by wave interpolation (theory/paper.md (3.9)): the surface stiffness of a coated body under a shear wave of wavenumber
 !> q ~ 1/a. Popov 2014, equations (19) and (20).
 module mdrcontact_medium_wave
-    use mdrcontact_error, only: check_positive, error_t
+    use mdrcontact_error, only: check_made, check_positive, error_t
     use mdrcontact_numerics_exponential, only: one_minus_exp
     use mdrcontact_weights, only: weight_i1, weight_i1_slope, weight_j1
     use mdrcontact_kinds, only: half_pi, wp
@@ -34,11 +34,15 @@ contains
         !> q a > 0, the wavenumber in units of 1/a; default pi/2
         real(wp), intent(in), optional :: wave_factor
 
+        call check_made(error, "coating", coating%young > 0.0_wp)
+        call check_made(error, "substrate", substrate%young > 0.0_wp)
+        if (allocated(error)) return
         call self%set_bodies(coating, thickness, substrate, error)
         if (present(wave_factor)) then
             call check_positive(error, "wave_factor", wave_factor)
             self%wave_factor = wave_factor
         end if
+        self%is_made = .not. allocated(error)
     end subroutine new_wave
 
     elemental function effective_modulus(self, a) result(value)
