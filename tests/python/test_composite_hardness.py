@@ -9,7 +9,10 @@ import math
 import numpy as np
 import pytest
 
+import mdrcontact as mdr
 import mdrcontact.instruments as mdi
+from mdrcontact import studies
+from mdrcontact.cli import main
 from mdrcontact.errors import InvalidArgumentError
 
 RATIO = np.array([0.29, 0.54, 0.79, 1.04, 1.29, 1.54, 1.79])
@@ -132,3 +135,68 @@ def test_a_constant_hardness_has_no_base():
     found = mdi.composite_hardness(RATIO, np.full(7, 5.0))
     for form in found.forms.values():
         assert form.film == pytest.approx(5.0, rel=1e-6)
+
+
+def test_the_figure_goes_down_to_the_film():
+    found = mdi.composite_hardness(RATIO, 1e9 * HARD_ON_SOFT)
+    (panel,) = found.plot("hardness").panels
+    lines = {part.name: part for part in panel.parts if hasattr(part, "dash") and hasattr(part, "marker")}
+    assert set(lines) == {*found.forms, "readings"} and panel.y.unit == "GPa"
+    for name, form in found.forms.items():
+        assert lines[name].y[0] == pytest.approx(form.film / 1e9, rel=2e-3), "at a/h = 0.001"
+        assert lines[name].y[-1] == pytest.approx(float(found.at(1.05 * RATIO[-1], name)) / 1e9, rel=1e-12)
+    assert lines["readings"].y == pytest.approx(HARD_ON_SOFT)
+
+
+def hard_film(composite=True):
+    """CSM data of a film of 350 GPa and a base of 210 GPa, with the hardness of the finite elements, or a constant one."""
+    tip, film = mdr.AreaFunction([24.5], max_height=1e-5), mdr.Coated(mdr.Elastic(350e9, 0.25), 1e-6, mdr.Elastic(210e9, 0.3))
+    ratio = np.linspace(0.25, 1.8, 12)
+    a = 1e-6 * ratio
+    hardness = 2e9 * np.interp(ratio, RATIO, HARD_ON_SOFT) if composite else 2e10
+    force = hardness * np.pi * a**2
+    stiffness = 2.0 * a * np.asarray(film.modulus(a))
+    shallow = mdr.Contact(mdr.Paraboloid(1e-5), film).at_radius(a)
+    sigma = (shallow.depth - a**2 / 2e-5) * shallow.stiffness / shallow.force
+    depth = np.sqrt(np.pi * a**2 / 24.5) + sigma * force / stiffness
+    return tip, film, mdi.StiffnessDepth(depth, force, stiffness, relative_sd=0.01, elastic=False)
+
+
+def modulus_of(composite):
+    tip, film, data = hard_film(composite)
+    text = (
+        '[indenter]\nshape = "area-function"\ncoefficients = [24.5]\nlength_unit = "um"\nmax_height = "10 um"\n'
+        '[medium]\ntype = "coated"\n'
+        'coating = { E = "350 GPa", nu = 0.25, thickness = "1 um" }\nsubstrate = { E = "210 GPa", nu = 0.3 }\n'
+        '[data]\nkind = "stiffness-depth"\nrelative_sd = 0.01\nelastic = false\n[fit]\nfree = ["coating.E"]\n'
+    )
+    return text, data, studies.modulus(mdi.fit_file_of_text(text), data)
+
+
+def test_hardness_of_film_and_base_next_to_their_modulus(tmp_path, capsys):
+    """The study, its command, the table and the JSON file: film and base of each form, with its known error."""
+    text, data, found = modulus_of(True)
+    hardness = found.hardness
+    assert hardness.ratio == pytest.approx(np.linspace(0.25, 1.8, 12), rel=0.01)
+    assert found.profile.modulus == pytest.approx(np.full(12, 350e9), rel=0.03)
+    assert hardness.shallow == pytest.approx(2e9 * 11.1, rel=0.03)
+    names, *columns = found.tables["hardness"]
+    assert [*names.values] == [*hardness.forms] and columns[0].values == pytest.approx([f.film for f in hardness.forms.values()])
+    assert any("the forms disagree" in words for words in found.doubts)
+    np.savetxt(tmp_path / "csm.csv", np.c_[data.x * 1e9, data.force * 1e3, data.y * 1e-3], delimiter=",", comments="",
+               header="depth (nm),force (mN),stiffness (mN/um)")  # fmt: skip
+    (tmp_path / "p.toml").write_text(text, encoding="utf-8")
+    arguments = [str(tmp_path / "csm.csv"), "--problem", str(tmp_path / "p.toml")]
+    files = {kind: tmp_path / f"found.{kind}" for kind in ("json", "png", "html")}
+    written = [f"--{o}={files[k]}" for o, k in (("json", "json"), ("plot", "png"), ("report", "html"))]
+    assert main(["modulus", *arguments, *written]) == 0
+    printed = capsys.readouterr().out
+    assert "fits of data, no predictions" in printed and "film 9 to 15 % too hard" in printed
+    saved = json.loads(files["json"].read_text(encoding="utf-8"))["composite_hardness"]
+    assert saved["forms"]["exponential"]["film"] == pytest.approx(hardness.forms["exponential"].film, rel=1e-4)
+    assert len(found.figure().panels) == 2 and "fits of data" in files["html"].read_text(encoding="utf-8")
+
+
+def test_a_hardness_that_does_not_change_has_no_forms():
+    _, _, found = modulus_of(False)
+    assert found.hardness is None and "hardness" not in found.tables and "composite_hardness" not in found.to_dict()

@@ -30,13 +30,15 @@ def run(arguments: argparse.Namespace) -> None:
     print(listed(arguments.data, notes))
     with on_terminal() as progress:
         found = modulus(problem, data, progress=progress)
-    print(f"\n{as_text(found.tables['points'], _ROWS)}\n\n{found.notes['zero']}")
+    print(f"\n{as_text(found.tables['points'], _ROWS)}")
+    for note in found.notes.values():
+        print(f"\n{note}")
     for words in found.doubts:
         print(f"warning: {words}")
     files.write(
         arguments,
         csv=lambda: as_csv(found.tables["points"]),
-        json=lambda: {**found.profile.to_dict(), "warnings": [*found.doubts]},
+        json=found.to_dict,
         plot=found.figure,
         report=lambda: pages.modulus_page(found, [f"file {arguments.data}", *notes]),
     )

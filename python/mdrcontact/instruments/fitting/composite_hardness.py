@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hardness of a film and its base from the hardness of both together at several contact radii: fits of data, not predictions."""
+"""Hardness of film and base from that of both at several contact radii: fits of data, theory/plastic.md (8.2)-(8.4)."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from ..._boundary import number
 from ..._choices import nearest
 from ..._units import MODULUS, practical, shown
 from ...errors import InvalidArgumentError
+from ...panels import Axis, Figure, Line, Panel, Part, Rule, along
 from .data import column_of
 from .misfit import percent
 from .quantities import digits
@@ -182,6 +183,30 @@ class CompositeHardness(NamedTuple):
                 f"{shown(high, MODULUS, 3)}, with similar residuals: the readings do not determine it"
             )
         return words
+
+    def plot(self, title: str = "") -> Figure:
+        """Return the hardness against a/h with every form, down to a/h = 0, as a figure.
+
+        Numbers are taken as SI.
+
+        Parameters
+        ----------
+        title : str, optional
+            Title of the figure.
+
+        Returns
+        -------
+        Figure
+            The figure.
+        """
+        x = np.linspace(1e-3, 1.05 * float(self.ratio[-1]), 200)
+        curves = {name: self.at(x, name) for name in self.forms}
+        y, unit = along("hardness H", MODULUS, np.concatenate([self.hardness, *curves.values()]))
+        parts: list[Part] = [Line(x, unit.of(values), name, i) for i, (name, values) in enumerate(curves.items())]
+        parts.append(Line(self.ratio, unit.of(self.hardness), "readings", "black", -1, "o"))
+        if self.ratio[0] < _SHALLOW:
+            parts.append(Rule(_SHALLOW, vertical=True, name="film alone"))
+        return Figure(title, (Panel(Axis("a/h", low=0.0), y, tuple(parts)),))
 
     def summary(self) -> str:
         """Return film and base by each form as text, numbers taken as SI.
