@@ -7,15 +7,15 @@ from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 import dash_bootstrap_components as dbc
-from dash import ALL, Dash, Input, Output, State, ctx, dcc, html, no_update
+from dash import ALL, Dash, Input, Output, State, ctx, html
 from dash.exceptions import PreventUpdate
 
 from .. import studies
 from ..cli.example import examples
+from ..errors import MDRError
 from ..problem import edit, schema
 from ..progress import Progress
 from . import editor, results
-from .form import dom_id
 from .results import Answer, answer
 from .session import Session
 
@@ -70,76 +70,35 @@ def layout(session: Session) -> list[Any]:
 
     choose = dbc.Select(id=f"{NAME}-example", options={"": "choose one", **{name: name for name in examples()}}, value="")
     example = html.Div([html.Label("example", htmlFor=f"{NAME}-example"), choose], className="row")
-    left = html.Form(
-        [editor.head(NAME, "Open"), example, html.Div(id=f"{NAME}-form")], className="form", **{"aria-label": "problem"}
-    )
-    return [
-        *editor.stores(NAME),
-        dcc.Interval(id=f"{NAME}-again", interval=300, disabled=True),
-        left,
-        html.Div(
-            [
-                html.Div(id=f"{NAME}-alert", role="alert", className="alert"),
-                tabs(f"{NAME}-tab", [*STUDIES, _FILE], "Curves", "results"),
-                html.Div(
-                    [html.Div(id=f"{NAME}-progress"), html.Button("Cancel", id=f"{NAME}-cancel", n_clicks=0, type="button")],
-                    id=f"{NAME}-busy",
-                    hidden=True,
-                    className="busy",
-                ),
-                html.Div(id=f"{NAME}-said", role="status", className="unseen"),
-                html.Div(id=f"{NAME}-results"),
-            ],
-            className="results",
-        ),
-    ]
+    left = html.Form([editor.head(NAME, "Open"), example, html.Div(id=f"{NAME}-form")], className="form")
+    return [*editor.stores(NAME), left, results.frame(NAME, tabs(f"{NAME}-tab", [*STUDIES, _FILE], "Curves", "results"))]
 
 
 def register(dash: Dash, session: Session) -> None:
     """Register the callbacks."""
     first = first_text(session)
-    editor.register(dash, session, NAME, schema.PROBLEM, first)
+    editor.register(dash, NAME, schema.PROBLEM, first)
 
     @dash.callback(
-        Output(f"{NAME}-results", "children"),
-        Output(f"{NAME}-results", "className"),
-        Output(f"{NAME}-alert", "children"),
-        Output(f"{NAME}-where", "data"),
-        Output(f"{NAME}-said", "children"),
-        Output(f"{NAME}-again", "disabled"),
-        Output(f"{NAME}-busy", "hidden"),
-        Output(f"{NAME}-progress", "children"),
+        results.outputs(NAME),
         Input(NAME, "data"),
         Input(f"{NAME}-tab", "value"),
         Input(f"{NAME}-again", "n_intervals"),
         Input(f"{NAME}-cancel", "n_clicks"),
-        State("page", "value"),
     )
-    def compute(data: Any, tab: str, _ticks: Any, _cancel: Any, _page: str) -> Any:
-        """Show the results of the text; old ones stay, dimmed, if it is refused."""
+    def compute(data: Any, tab: str, _ticks: Any, _cancel: Any) -> Any:
+        """Show the results of the text."""
         text = data["text"] if data else first
         if ctx.triggered_id == f"{NAME}-cancel":
             session.jobs.cancel()
         if tab == _FILE:
-            return _file(text), "", "", None, "", True, True, []
-        found = computed(session, text, tab)
-        old: Any = [] if ctx.triggered_id == f"{NAME}-tab" else no_update
-        if found.progress:
-            return old, "dimmed", "", None, no_update, False, False, results.progress(found.progress)
-        if found.refusal is not None:
-            words = results.words_of(found.refusal)
-            return old, "dimmed", words, results.place_of(found.refusal), "", True, True, []
-        report = results.report(found.result, found.result.figure())
-        return (
-            [*report, results.files(NAME, f"mdrcontact {STUDIES[tab].study.__name__} problem.toml")],
-            "",
-            "",
-            None,
-            f"{tab} computed",
-            True,
-            True,
-            [],
-        )
+            return results.show(_file(text))
+        command = results.files(NAME, f"mdrcontact {STUDIES[tab].study.__name__} problem.toml")
+
+        def report(found: Any) -> list[Any]:
+            return [*results.report(found, found.figure()), command]
+
+        return results.show_answer(NAME, computed(session, text, tab), report, f"{tab} computed")
 
     @dash.callback(
         Output(f"{NAME}-file", "data", allow_duplicate=True),
@@ -153,7 +112,7 @@ def register(dash: Dash, session: Session) -> None:
         found = session.jobs.find(_key(data["text"] if data else first, tab))
         if found is None or not any(clicks):
             raise PreventUpdate
-        return results.written(found, found.figure(), ctx.triggered_id["get"])
+        return results.written(found, ctx.triggered_id["get"])
 
     @dash.callback(
         Output(NAME, "data", allow_duplicate=True),
@@ -171,20 +130,14 @@ def register(dash: Dash, session: Session) -> None:
 
 def _file(text: str) -> list[Any]:
     """The text, and the same work as commands and in Python."""
-    own = {"form": NAME, "set": editor.TEXT}
-    area = dbc.Textarea(id=own, value=text, debounce=True, spellcheck=False, className="text")
-    tables = edit.value(text, (), {})
+    try:
+        tables = edit.value(text, (), {})
+    except MDRError:
+        tables = {}
     used = [one for one in STUDIES.values() if not one.table or one.table in tables]
     lines = [f"mdrcontact {one.study.__name__} problem.toml --plot {one.study.__name__}.png" for one in used]
     python = ["from mdrcontact import problem, studies", "", 'given = problem.load("problem.toml")']
     for study, options, _ in used:
         given = "".join(f", {name}={value}" for name, value in options.items())
         python.append(f"{study.__name__} = studies.{study.__name__}(given{given})")
-    return [
-        html.Label("problem file", htmlFor=dom_id(own)),
-        area,
-        html.H2("The same as commands"),
-        html.Pre("\n".join(lines)),
-        html.H2("The same in Python"),
-        html.Pre("\n".join(python)),
-    ]
+    return editor.file_tab(NAME, text, lines, python)

@@ -4,18 +4,22 @@
 from __future__ import annotations
 
 import base64
+from collections.abc import Callable
 from typing import Any
 
+import dash_bootstrap_components as dbc
 from dash import ALL, Dash, Input, Output, State, ctx, dcc, html, no_update
 from dash.exceptions import PreventUpdate
 
 from ..errors import MDRError
+from ..instruments.files.start_file import MARK
 from ..problem.field import Table
-from .form import acted, edited, form, parts_of, path_of
-from .session import Session
+from . import results
+from .form import Path, acted, dom_id, edited, form, parts_of, path_of
 
 TEXT = "#text"
 """Path of the input that has the whole text."""
+Seek = Callable[[str, Path, Any], str]
 _MOST = 50
 """Texts that can be undone."""
 
@@ -30,8 +34,16 @@ def head(name: str, title: str) -> Any:
     """Return the buttons above a form."""
     undo = html.Button("Undo", id={"form": name, "act": "undo"}, title="Alt+Z", accessKey="z", n_clicks=0, type="button")
     save = html.Button("Save", id=f"{name}-save", title="download the problem file", n_clicks=0, type="button")
-    opened = html.Label([title, dcc.Upload("", id=f"{name}-open", multiple=True)], className="button")
+    opened = html.Label([title, dcc.Upload("", id=f"{name}-open")], className="button")
     return html.Div([opened, save, undo], className="buttons")
+
+
+def file_tab(name: str, text: str, commands: list[str], python: list[str]) -> list[Any]:
+    """Return the text of the problem file, and the same work as commands and in Python."""
+    own = {"form": name, "set": TEXT}
+    area = dbc.Textarea(id=own, value=text, debounce=True, className="text")
+    parts = [html.Label("problem file", htmlFor=dom_id(own)), area, html.H2("The same as commands"), html.Pre("\n".join(commands))]
+    return [*parts, html.H2("The same in Python"), html.Pre("\n".join(python))] if python else parts
 
 
 def with_text(data: Any, text: str, by: str = "") -> dict[str, Any]:
@@ -40,8 +52,8 @@ def with_text(data: Any, text: str, by: str = "") -> dict[str, Any]:
     return {"text": text, "past": [one for one in past if one is not None][-_MOST:], "by": by}
 
 
-def register(dash: Dash, session: Session, name: str, root: Table, first: str, skip: tuple[str, ...] = ()) -> None:
-    """Let the form edit the text, and the text draw the form."""
+def register(dash: Dash, name: str, root: Table, first: str, seek: Seek | None = None) -> None:
+    """Let the form edit the text, and the text draw the form. seek : edits the text by inputs whose paths begin with #"""
 
     @dash.callback(
         Output(name, "data"),
@@ -63,7 +75,7 @@ def register(dash: Dash, session: Session, name: str, root: Table, first: str, s
                 raise PreventUpdate
             return {"text": past[-1], "past": past[:-1], "by": ""}, ""
         try:
-            new = value if used.get("set") == TEXT else _changed(root, text, used, value)
+            new = _changed(root, text, used, value, seek)
         except MDRError as refusal:
             return no_update, str(refusal)
         if new == text:
@@ -84,8 +96,10 @@ def register(dash: Dash, session: Session, name: str, root: Table, first: str, s
     def draw(data: Any, drawn: Any, ids: Any) -> Any:
         """Draw the form; after an input only the parts that have other rows, so that the focus stays."""
         by = data["by"] if data else ""
+        if not (data["text"] if data else first):
+            return [], [no_update] * len(ids), None
         try:
-            whole = form(name, root, data["text"] if data else first, skip, by)
+            whole = form(name, root, data["text"] if data else first, by)
         except MDRError:
             raise PreventUpdate from None  # the text is no TOML, which the results say
         found = parts_of(whole)
@@ -114,13 +128,20 @@ def register(dash: Dash, session: Session, name: str, root: Table, first: str, s
     )
     def save(_clicks: int, data: Any) -> Any:
         """Download the problem file."""
-        return {"content": data["text"] if data else first, "filename": "problem.toml", "type": "application/toml"}
+        return results.download("problem.toml", data["text"] if data else first)
 
 
-def _changed(root: Table, text: str, used: Any, value: Any) -> str:
+def _changed(root: Table, text: str, used: Any, value: Any, seek: Seek | None) -> str:
     if "act" in used:
         return acted(root, text, path_of(used["act"]))
-    return edited(root, text, path_of(used["set"]), str(value))
+    if used["set"] == TEXT:
+        return str(value)
+    path = path_of(used["set"])
+    if seek is not None and str(path[0]).startswith("#"):
+        return seek(text, path, value)
+    new = edited(root, text, path, str(value))
+    lines = set(text.splitlines())  # who changes a guess confirms it
+    return "".join(line if line.strip("\n") in lines else line.replace(MARK, "") for line in new.splitlines(keepends=True))
 
 
 def content_of(uploaded: str) -> bytes:

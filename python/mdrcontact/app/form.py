@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
 import dash_bootstrap_components as dbc
 from dash import html
 
+from ..instruments.files.start_file import MARK
 from ..problem import edit
 from ..problem.field import Field, Table
 from ..problem.medium import MATERIAL
@@ -233,9 +235,20 @@ def _differing(text: str, place: Path, old: Values, new: Values) -> str:
     return text
 
 
-def form(name: str, root: Table, text: str, skip: tuple[str, ...] = (), used: str = "") -> Any:
-    """Return a form. skip : tables that are shown elsewhere; used : button that gets the focus again"""
-    return _Form(name, used).part((), root, edit.value(text, ()), skip)
+def form(name: str, root: Table, text: str, used: str = "") -> Any:
+    """Return a form. used : path of the button that gets the focus again"""
+    return _Form(name, used, guessed(text)).part((), root, edit.value(text, ()))
+
+
+def guessed(text: str) -> set[Path]:
+    """Return the paths of the keys whose lines are marked as guesses."""
+    found, place = set[Path](), ()
+    for line in text.splitlines():
+        header = re.match(r"\[([\w.]+)\]", line)
+        place = tuple(header[1].split(".")) if header else place
+        if MARK in line:
+            found.add((*place, line.partition("=")[0].strip()))
+    return found
 
 
 def parts_of(drawn: Any) -> dict[str, tuple[Any, str]]:
@@ -263,10 +276,11 @@ class _Form(NamedTuple):
 
     name: str
     used: str
+    guesses: set[Path]
 
-    def part(self, path: Path, table: Table, values: Values, skip: tuple[str, ...] = ()) -> Any:
+    def part(self, path: Path, table: Table, values: Values) -> Any:
         """Return the rows of a table: what is given or needed, then the rest behind a fold."""
-        names = [one.name for one in fields_of(table, values) if one.name not in skip]
+        names = [one.name for one in fields_of(table, values)]
         rows, more = [], []
         for group in (*table.one_of, *table.at_most_one_of):
             here = [key for key in group if key in names]
@@ -296,7 +310,7 @@ class _Form(NamedTuple):
 
     def inside(self, table: Table, path: Path, values: Values) -> list[Any]:
         """Return the rows that choose what belongs to a table, and the part that they choose."""
-        rows = []
+        rows: list[Any] = []
         if _is_material(table):
             kinds = (*_KINDS, _CRYSTAL)
             rows.append(self.row((*path, _KIND), "kind of material", self.select((*path, _KIND), kinds, material_kind(values))))
@@ -351,9 +365,9 @@ class _Form(NamedTuple):
     def row(self, path: Path, meaning: str, control: Any, key: str = "") -> Any:
         """Return an input with its label and its error."""
         words, _, rest = meaning.partition(";")
-        named = [words, html.Code(key)] if key not in ("", words) else words
+        named: Any = [words, html.Code(key)] if key not in ("", words) else words
         label = html.Label(named, title=rest.strip(), htmlFor=dom_id(id_of(self.name, "set", path)))
-        return html.Div([label, control, self.error(path)], className="row")
+        return html.Div([label, control, self.error(path)], className="row guess" if path in self.guesses else "row")
 
     def error(self, path: Path) -> Any:
         """Return the place of an error."""

@@ -3,20 +3,313 @@
 
 from __future__ import annotations
 
+import dataclasses
+import json
+from collections.abc import Mapping
 from typing import Any
 
-from dash import Dash, html
+import dash_bootstrap_components as dbc
+from dash import ALL, Dash, Input, Output, State, ctx, dcc, html, no_update
+from dash.exceptions import PreventUpdate
 
+from .. import studies
+from .._units import RATIO, shown
+from ..cli import pages
+from ..cli.files import DATA_SUFFIXES
+from ..cli.table import as_csv
+from ..errors import FileError, MDRError
+from ..instruments.fitting.gel import NAMES as GEL_NAMES
+from ..instruments.fitting.parameters import pattern_of
+from ..instruments.fitting.quantities import dimension_of, words_of
+from ..instruments.schema import FIT, OPTIONS
+from ..poroelastic import is_poroelastic
+from ..problem import edit
+from ..progress import Progress
+from ..studies.fit import FittedCurve
+from ..studies.many import FittedCurves
+from . import editor, many, results
+from .form import Path, dom_id, id_of
 from .session import Session
+
+NAME = "measure"
+_TABS = ("Data", "Fit", "File")
+_OPTIONS = dataclasses.replace(OPTIONS, fields=tuple(one for one in OPTIONS.fields if one.name != "free"))
+_ROOT = dataclasses.replace(
+    FIT, fields=tuple(one._replace(table=_OPTIONS) if one.name == "fit" else one for one in FIT.fields if one.name != "compute")
+)
+"""The file of a fit without what is sought, which has rows of its own."""
+_FREE, _PRIOR = "#free", "#prior"
+_AT = ("fit", "free")
+_GONE = "The files that were dropped are no longer there. Drop them again."
 
 
 def is_mine(text: str) -> bool:
-    return "[data]" in text
+    """Whether a text is that of a fit."""
+    try:
+        return "data" in edit.value(text, (), {})
+    except MDRError:
+        return False
 
 
 def layout(session: Session) -> list[Any]:
-    return [html.P("to come")]
+    """Return the form and the results."""
+    from .layout import tabs
+
+    words = "Drop files of an instrument here, or choose them"
+    drop = html.Label([words, dcc.Upload("", id=f"{NAME}-drop", multiple=True)], className="drop")
+    options = (("moves", "other ranges too"), ("compare", "all models too"))
+    boxes = [dbc.Checkbox(id=f"{NAME}-{name}", label=words, value=False) for name, words in options]
+    start = html.Button("Fit", id=f"{NAME}-start", n_clicks=0, type="button", className="main")
+    left = [drop, html.Div(id=f"{NAME}-files"), editor.head(NAME, "Open"), html.Div(id=f"{NAME}-form")]
+    left += [html.Div(id=f"{NAME}-sought"), html.Div([start, *boxes], className="buttons")]
+    stores = [dcc.Store(id=f"{NAME}-{name}", storage_type="session") for name in ("names", "run")]
+    right = results.frame(NAME, tabs(f"{NAME}-tab", [*_TABS], _TABS[0], "results"))
+    return [*editor.stores(NAME), *stores, html.Form(left, className="form"), right]
+
+
+def free_of(text: str) -> dict[str, Mapping[str, Any]]:
+    """Return the free numbers of a text, with what is known of each."""
+    given = edit.value(text, _AT, [])
+    return dict(given) if isinstance(given, dict) else {name: {} for name in given if isinstance(name, str)}
+
+
+def numbers_of(session: Session, text: str) -> dict[str, float | None]:
+    """Return every number of a problem that a fit can find, and its value."""
+    found = session.fit_file(text if free_of(text) else edit.changed(text, _AT, ["depth_offset"]))
+    if is_poroelastic(found.medium):
+        return dict.fromkeys(GEL_NAMES)
+    pattern = pattern_of(found.indenter, found.medium, found.instrument)
+    return {name: float(value) for name, value in zip(pattern.names, pattern.values, strict=True) if name}
+
+
+def sought(session: Session, text: str) -> Any:
+    """Return a row for each number: its value, whether it is free, and how well it is known."""
+    rows, free = [], free_of(text)
+    for name, value in numbers_of(session, text).items():
+        own, known = id_of(NAME, "set", (_FREE, name)), id_of(NAME, "set", (_PRIOR, name))
+        now = "" if value is None else shown(value, dimension_of(name), 6)
+        box = dbc.Checkbox(id=own, value=name in free, label=html.Span([words_of(name), " ", html.Small(now)]))
+        sd = dbc.Input(id=known, value=str(free.get(name, {}).get("prior_sd", "")), placeholder="sd", debounce=True)
+        label = html.Label(f"standard deviation of {words_of(name)}", htmlFor=dom_id(known), className="unseen")
+        rows.append(
+            html.Div(
+                [box, html.Span([label, sd]), html.Span(id=id_of(NAME, "error", ("fit", "free", name)), className="error")],
+                className="row",
+            )
+        )
+    hint = html.P("Ticked numbers are found. A number that is known beforehand has its standard deviation (sd).", className="hint")
+    return html.Fieldset([html.Legend("sought"), hint, *rows])
+
+
+def seek(session: Session, text: str, path: Path, value: Any) -> str:
+    """Return the text after a change of what is sought."""
+    what, name = str(path[0]), str(path[1])
+    free = free_of(text)
+    known = {key: old for key, old in free.get(name, {}).items() if not key.startswith("prior")}
+    if what == _FREE and not value:
+        return edit.changed(text, _AT, [*free.keys() - {name}]) if not any(free.values()) else edit.without(text, (*_AT, name))
+    if what == _PRIOR and value:
+        now = numbers_of(session, text)[name] or 0.0
+        is_plain = dimension_of(name) == RATIO
+        known |= {
+            "prior": now if is_plain else shown(now, dimension_of(name), 9),
+            "prior_sd": json.loads(value) if is_plain else value,
+        }
+    if not known and not any(free.values()):
+        return edit.changed(text, _AT, [*dict.fromkeys((*free, name))])
+    if isinstance(edit.value(text, _AT), list):
+        text = edit.changed(text, _AT, {one: dict(old) for one, old in free.items()})
+    return edit.changed(text, (*_AT, name), known)
+
+
+def fitted(session: Session, run: Mapping[str, Any], progress: Progress) -> Any:
+    """Return what the study finds in the curves that are not left out, as the command does."""
+    problem, names = session.fit_file(run["text"]), [name for name in run["names"] if name not in run["out"]]
+    paths = [session.files[name] for name in names]
+    curves = problem.all_curves(paths, progress) if len(paths) > 1 else problem.curves(paths[0])
+    if len(curves) > 1:
+        return studies.many(problem, curves, progress=progress)
+    data, notes = curves[0].read()
+    return studies.fit(problem, data, moves=run["moves"], compare=run["compare"], progress=progress), notes
+
+
+def report(run: Mapping[str, Any], found: Any) -> list[Any]:
+    """Return the verdict first, then estimates, figures, choices and models."""
+    names = ("report.html", "fit.json", "points.csv", "png", "pdf")
+    if isinstance(found, FittedCurves):
+        return [
+            *many.report(run, found),
+            results.files(NAME, "mdrcontact fit FOLDER --problem problem.toml --report report.html", names),
+        ]
+    fit, notes = found
+    command = results.files(NAME, f"mdrcontact fit {run['names'][0]} --problem problem.toml --report report.html", names)
+    if not hasattr(fit.fit, "interval_as_text"):  # a gel
+        return [*results.report(fit, None), command]
+    verdict = html.P(fit.fit.verdict, className="verdict")
+    warnings = [html.Ul([html.Li(words) for words in fit.warnings], className="warnings")] if fit.warnings else []
+    parts = [html.H2(fit.title), verdict, _estimates(fit), *warnings, command, results.panels(fit.figure())]
+    if fit.moves is not None and fit.moves.summary():
+        parts += [
+            html.H2("Other choices"),
+            html.Ul([html.Li(line) for line in fit.moves.summary()]),
+            results.panels(fit.moves.plot()),
+        ]
+    if fit.ranking is not None:
+        parts += [html.H2("Models"), html.Pre(fit.notes["models"])]
+    if fit.refusal is not None:
+        parts += [html.P(str(fit.refusal), className="warnings")]
+    read = html.Ul([html.Li(note) for note in notes])
+    return [*parts, html.H2("What was read"), read, *results.folded(fit.tables)]
+
+
+def _estimates(found: FittedCurve) -> Any:
+    fit = found.fit
+    rows = [
+        [
+            words_of(name),
+            fit.as_text(name),
+            fit.interval_as_text(name, given=found.intervals.get(name)),
+            "; ".join(fit.doubts(name)),
+        ]
+        for name in fit.names
+    ]
+    return results.rows([["", "estimate", "95 % interval", "doubts"], *rows])
+
+
+def file_of(found: Any, what: str) -> Any:
+    """Return a file of a fit for the download."""
+    fit, notes = (found, []) if isinstance(found, FittedCurves) else found
+    if what == "report.html":
+        page = pages.many_page(fit) if isinstance(fit, FittedCurves) else pages.fit_page(fit, notes)
+        return results.download(what, page)
+    if what == "fit.json":
+        return results.download(what, json.dumps(fit.to_dict(), indent=2, allow_nan=False) + "\n")
+    if what == "points.csv":
+        return results.download(what, as_csv(fit.tables["estimates" if isinstance(fit, FittedCurves) else "points"]))
+    return results.written(fit, what)
 
 
 def register(dash: Dash, session: Session) -> None:
-    pass
+    """Register the callbacks."""
+    mine = is_mine(session.text)
+    first = session.text if mine else ""
+    known = {"names": [name for name in session.files if name.lower().endswith(DATA_SUFFIXES)] if mine else [], "out": []}
+    editor.register(dash, NAME, _ROOT, first, lambda text, path, value: seek(session, text, path, value))
+
+    def inspected(names: list[str]) -> Any:
+        if names[0] not in session.files:
+            raise FileError(_GONE)
+        path = session.files[names[0]]
+        return session.jobs.now(("inspect", names[0], path.stat().st_mtime_ns), lambda: studies.inspect(path))
+
+    @dash.callback(
+        Output(f"{NAME}-names", "data"),
+        Output(NAME, "data", allow_duplicate=True),
+        Output(f"{NAME}-alert", "children", allow_duplicate=True),
+        Output(f"{NAME}-tab", "value", allow_duplicate=True),
+        Input(f"{NAME}-drop", "contents"),
+        State(f"{NAME}-drop", "filename"),
+        State(f"{NAME}-names", "data"),
+        State(NAME, "data"),
+        prevent_initial_call=True,
+    )
+    def drop(contents: Any, names: Any, old: Any, data: Any) -> Any:
+        """Keep the files, and begin with what is in the first one, or with the problem file among them."""
+        try:
+            added = session.add({name: editor.content_of(one) for name, one in zip(names, contents, strict=True)})
+            texts = [name for name in added if name.endswith(".toml")]
+            rest = [name for name in added if name not in texts]
+            text = session.files[texts[0]].read_text("utf-8", "replace") if texts else inspected(rest).inspection.problem
+        except MDRError as refusal:
+            return no_update, no_update, str(refusal), no_update
+        return {"names": rest, "out": []} if rest else old or known, editor.with_text(data, text), "", "Data"
+
+    @dash.callback(Output(f"{NAME}-sought", "children"), Input(NAME, "data"))
+    def draw(data: Any) -> Any:
+        """Draw what is sought, unless a row of it was changed, which shows what the user did."""
+        text, by = (data["text"], data["by"]) if data else (first, "")
+        before = free_of(data["past"][-1]) if by.startswith("#") else {}
+        if by.startswith("#") and not (by.startswith(_FREE) and before.get(by.partition("/")[2])):
+            raise PreventUpdate
+        try:
+            return sought(session, text) if text else []
+        except MDRError:
+            return []
+
+    @dash.callback(
+        Output(f"{NAME}-run", "data"),
+        Output(f"{NAME}-tab", "value"),
+        Input(f"{NAME}-start", "n_clicks"),
+        State(NAME, "data"),
+        State(f"{NAME}-names", "data"),
+        State(f"{NAME}-moves", "value"),
+        State(f"{NAME}-compare", "value"),
+        prevent_initial_call=True,
+    )
+    def start(clicks: int, data: Any, files: Any, moves: bool, compare: bool) -> Any:
+        """Fit the curves of the files."""
+        return {
+            "text": data["text"] if data else first,
+            **(files or known),
+            "moves": moves,
+            "compare": compare,
+            "run": clicks,
+        }, "Fit"
+
+    @dash.callback(
+        results.outputs(NAME),
+        Input(f"{NAME}-run", "data"),
+        Input(NAME, "data"),
+        Input(f"{NAME}-names", "data"),
+        Input(f"{NAME}-tab", "value"),
+        Input(f"{NAME}-again", "n_intervals"),
+        Input(f"{NAME}-cancel", "n_clicks"),
+    )
+    def compute(run: Any, data: Any, files: Any, tab: str, _ticks: Any, _cancel: Any) -> Any:
+        """Show what the files have, or what the fit finds."""
+        text, files = data["text"] if data else first, files or known
+        if ctx.triggered_id == f"{NAME}-cancel":
+            session.jobs.cancel()
+        if tab == "File":
+            return results.show(
+                editor.file_tab(NAME, text, [f"mdrcontact fit {(files['names'] or ['DATA'])[0]} --problem problem.toml"], [])
+            )
+        if not files["names"]:
+            return results.show([html.P("Drop a table, a spreadsheet or files of an AFM on the left to begin.", className="note")])
+        try:
+            if any(name not in session.files for name in files["names"]):
+                raise FileError(_GONE)
+            if tab == "Data":
+                return results.show(_found(inspected(files["names"])))
+        except MDRError as refusal:
+            return results.show_answer(NAME, results.Answer(refusal=refusal), list, "")
+        if not run:
+            return results.show([html.P("Press Fit to find the ticked numbers.", className="note")])
+        found = results.answer(session, (NAME, json.dumps(run)), "fit", lambda progress: fitted(session, run, progress))
+        shown = results.show_answer(NAME, found, lambda one: report(run, one), "fit computed")
+        is_old = found.result is not None and (run["text"], run["names"], run["out"]) != (text, files["names"], files["out"])
+        return [shown[0], "dimmed" if is_old else shown[1], *shown[2:]]
+
+    @dash.callback(
+        Output(f"{NAME}-file", "data", allow_duplicate=True),
+        Input({"of": NAME, "get": ALL}, "n_clicks"),
+        State(f"{NAME}-run", "data"),
+        prevent_initial_call=True,
+    )
+    def get(clicks: Any, run: Any) -> Any:
+        """Download a file of the fit."""
+        found = session.jobs.find((NAME, json.dumps(run)))
+        if found is None or not any(clicks):
+            raise PreventUpdate
+        return file_of(found, ctx.triggered_id["get"])
+
+
+def _found(found: Any) -> list[Any]:
+    """What a file has."""
+    inspection = found.inspection
+    words = [f"{inspection.kind}: {', '.join(found.curves[:3])}"] if found.curves else []
+    parts: list[Any] = [html.H2(found.title), html.Ul([html.Li(note) for note in (*words, *inspection.notes)])]
+    parts += [html.P(str(found.refusal), className="warnings")] if found.refusal else []
+    parts += [html.Ul([html.Li(str(fact)) for fact in found.facts])] if found.facts else []
+    guessed = ", ".join(found.guessed)
+    return [*parts, html.P(f"Not in the file, put in yours: {guessed}.", className="note"), *results.report(found, found.figure())]

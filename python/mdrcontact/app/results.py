@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
+import base64
 import re
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from dash import dcc, html, no_update
+from dash import Output, ctx, dcc, html, no_update
 
 from ..cli.table import as_csv, as_rows
 from ..errors import CancelledError, MDRError
@@ -19,8 +20,8 @@ from .session import Session
 
 _SOON = 0.4
 """Time in which most work ends, so that the page shows its result at once [s]."""
-_ROWS = 50
-_CONFIG = {"displayModeBar": False, "responsive": True}
+_ROWS, _FEW = 50, 12
+_CONFIG: Any = {"displayModeBar": False, "responsive": True}
 
 
 class Answer(NamedTuple):
@@ -51,6 +52,44 @@ def answer(session: Session, key: Hashable, what: str, work: Callable[[Progress]
     return Answer(job.result, job.problem)
 
 
+def frame(name: str, tabs: Any) -> Any:
+    """Return the right side of a page: refusals, tabs, progress and results."""
+    cancel = html.Button("Cancel", id=f"{name}-cancel", n_clicks=0, type="button")
+    return html.Div(
+        [
+            html.Div(id=f"{name}-alert", role="alert", className="alert"),
+            tabs,
+            html.Div([html.Div(id=f"{name}-progress"), cancel], id=f"{name}-busy", hidden=True, className="busy"),
+            html.Div(id=f"{name}-said", role="status", className="unseen"),
+            html.Div(id=f"{name}-results"),
+            dcc.Interval(id=f"{name}-again", interval=300, disabled=True),
+        ],
+        className="results",
+    )
+
+
+def outputs(name: str) -> list[Output]:
+    """Return what `show` returns values for."""
+    ids = {"results": ("children", "className"), "alert": ("children",), "where": ("data",), "said": ("children",)}
+    ids |= {"again": ("disabled",), "busy": ("hidden",), "progress": ("children",)}
+    return [Output(f"{name}-{part}", key) for part, keys in ids.items() for key in keys]
+
+
+def show(parts: Any, said: str = "", is_old: bool = False) -> list[Any]:
+    """Show results. is_old : whether the text has changed since"""
+    return [parts, "dimmed" if is_old else "", "", None, said, True, True, []]
+
+
+def show_answer(name: str, found: Answer, report: Callable[[Any], Any], said: str) -> list[Any]:
+    """Show the result of a study, its progress, or why there is none; old results stay, dimmed, unless the tab is another."""
+    old: Any = [] if ctx.triggered_id == f"{name}-tab" else no_update
+    if found.progress:
+        return [old, "dimmed", "", None, no_update, False, False, progress(found.progress)]
+    if found.refusal is not None:
+        return [old, "dimmed", words_of(found.refusal), place_of(found.refusal), "", True, True, []]
+    return show(report(found.result), said)
+
+
 def panels(figure: Figure) -> Any:
     """Return the drawings of a figure, as many beside each other as there is room."""
     drawn = [
@@ -73,18 +112,28 @@ def report(found: Result, figure: Figure | None) -> list[Any]:
     parts += [html.Ul([html.Li(words) for words in found.warnings], className="warnings")] if found.warnings else []
     parts += [html.P(words, className="note") for words in found.notes.values()]
     parts += [panels(figure)] if figure is not None and figure.panels else []
-    return [*parts, *(html.Details([html.Summary(f"table: {name}"), table(rows)]) for name, rows in found.tables.items())]
+    return [*parts, *folded(found.tables)]
+
+
+def folded(tables: Mapping[str, Any]) -> list[Any]:
+    """Return tables behind folds; short ones are open."""
+    return [
+        html.Details([html.Summary(f"table: {name}"), table(one)], open=len(one[0].values) <= _FEW) for name, one in tables.items()
+    ]
 
 
 def table(columns: Any, most: int = _ROWS) -> Any:
     """Return a table with at most so many rows, spread over all."""
-    head, *rows = as_rows(columns, most)
     count = len(columns[0].values)
-    note = [html.Caption(f"{len(rows)} of {count} rows; the CSV file has all")] if count > len(rows) else []
-    body = html.Tbody([html.Tr([html.Td(cell) for cell in row]) for row in rows])
-    return html.Div(
-        html.Table([*note, html.Thead(html.Tr([html.Th(cell, scope="col") for cell in head])), body]), className="table", tabIndex=0
-    )
+    return rows(as_rows(columns, most), f"{most} of {count} rows; the CSV file has all" if count > most else "")
+
+
+def rows(cells: Sequence[Sequence[str]], caption: str = "") -> Any:
+    """Return a table of words, its titles first."""
+    head, *body = cells
+    lines = html.Tbody([html.Tr([html.Td(cell) for cell in row]) for row in body])
+    titles = html.Thead(html.Tr([html.Th(cell, scope="col") if cell else html.Td() for cell in head]))
+    return html.Div(html.Table([*([html.Caption(caption)] if caption else []), titles, lines]), className="table", tabIndex=0)
 
 
 def files(page: str, command: str, names: Sequence[str] = ("csv", "png", "pdf", "svg")) -> Any:
@@ -93,11 +142,17 @@ def files(page: str, command: str, names: Sequence[str] = ("csv", "png", "pdf", 
     return html.Div(["download ", *buttons, html.Code(command)], className="files")
 
 
-def written(found: Result, figure: Figure | None, what: str) -> Any:
+def written(found: Result, what: str) -> Any:
     """Return a file of a result for the download: "csv", or a format of a figure."""
     if what == "csv":
-        return dcc.send_bytes(as_csv(next(reversed(found.tables.values()))), "result.csv")
-    return dcc.send_bytes(matplotlib.rendered(matplotlib.draw(figure), what), f"figure.{what}") if figure else no_update
+        return download("result.csv", as_csv([*found.tables.values()][-1]))
+    return download(f"figure.{what}", matplotlib.rendered(matplotlib.draw(found.figure()), what))  # type: ignore[attr-defined]
+
+
+def download(name: str, content: bytes | str) -> dict[str, Any]:
+    """Return a file for the browser to save."""
+    content = content.encode() if isinstance(content, str) else content
+    return {"filename": name, "content": base64.b64encode(content).decode(), "base64": True, "type": "application/octet-stream"}
 
 
 def words_of(refusal: Exception | None) -> str:
