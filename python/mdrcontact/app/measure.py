@@ -286,9 +286,9 @@ def register(dash: Dash, session: Session) -> None:
         if not run:
             return results.show([html.P("Press Fit to find the ticked numbers.", className="note")])
         found = results.answer(session, (NAME, json.dumps(run)), "fit", lambda progress: fitted(session, run, progress))
-        shown = results.show_answer(NAME, found, lambda one: report(run, one), "fit computed")
+        made = results.show_answer(NAME, found, lambda one: report(run, one), "fit computed")
         is_old = found.result is not None and (run["text"], run["names"], run["out"]) != (text, files["names"], files["out"])
-        return [shown[0], "dimmed" if is_old else shown[1], *shown[2:]]
+        return [made[0], "dimmed" if is_old else made[1], *made[2:]]
 
     @dash.callback(
         Output(f"{NAME}-file", "data", allow_duplicate=True),
