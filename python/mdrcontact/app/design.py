@@ -70,7 +70,9 @@ def layout(session: Session) -> list[Any]:
 
     choose = dbc.Select(id=f"{NAME}-example", options={"": "choose one", **{name: name for name in examples()}}, value="")
     example = html.Div([html.Label("example", htmlFor=f"{NAME}-example"), choose], className="row")
-    left = html.Form([editor.head(NAME, "Open"), example, html.Div(id=f"{NAME}-form")], className="form")
+    left = html.Form(
+        [html.Div([editor.head(NAME, "Open"), example], className="head"), html.Div(id=f"{NAME}-form")], className="form"
+    )
     return [*editor.stores(NAME), left, results.frame(NAME, tabs(f"{NAME}-tab", [*STUDIES, _FILE], "Curves", "results"))]
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import base64
+import json
 from collections.abc import Callable
 from typing import Any
 
@@ -142,6 +143,11 @@ def _changed(root: Table, text: str, used: Any, value: Any, seek: Seek | None) -
     new = edited(root, text, path, str(value))
     lines = set(text.splitlines())  # who changes a guess confirms it
     return "".join(line if line.strip("\n") in lines else line.replace(MARK, "") for line in new.splitlines(keepends=True))
+
+
+def key_of(name: str, run: Any) -> tuple[str, str]:
+    """Return the key of the result of a fit."""
+    return name, json.dumps(run, sort_keys=True)
 
 
 def content_of(uploaded: str) -> bytes:

@@ -32,14 +32,21 @@ def tabs(name: str, words: list[str], first: str, label: str) -> Any:
     return html.Nav(html.Fieldset([html.Legend(label, className="unseen"), buttons]), className="tabs")
 
 
-class _Tabs:
-    """The callback of the tabs of the header."""
+class _Page:
+    """What belongs to no tab."""
 
     @staticmethod
-    def register(dash: Dash, _session: Session) -> None:
-        """Show the page that is chosen."""
+    def register(dash: Dash, session: Session) -> None:
+        """Show the page that is chosen, and files by their names alone."""
         shown = [Output(f"{name}-page", "hidden") for name in _PAGES]
         dash.callback(*shown, Input("page", "value"))(lambda chosen: [name != chosen for name in _PAGES])
 
+        def shorten(answer: Any) -> Any:
+            if answer.mimetype == "application/json":
+                answer.set_data(session.shortened(answer.get_data(as_text=True)))
+            return answer
 
-TABS: tuple[Any, ...] = (_Tabs, design, measure)
+        dash.server.after_request(shorten)
+
+
+TABS: tuple[Any, ...] = (_Page, design, measure)

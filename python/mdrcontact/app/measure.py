@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -60,8 +61,8 @@ def layout(session: Session) -> list[Any]:
     options = (("moves", "other ranges too"), ("compare", "all models too"))
     boxes = [dbc.Checkbox(id=f"{NAME}-{name}", label=words, value=False) for name, words in options]
     start = html.Button("Fit", id=f"{NAME}-start", n_clicks=0, type="button", className="main")
-    left = [drop, html.Div(id=f"{NAME}-files"), editor.head(NAME, "Open"), html.Div(id=f"{NAME}-form")]
-    left += [html.Div(id=f"{NAME}-sought"), html.Div([start, *boxes], className="buttons")]
+    head = html.Div([editor.head(NAME, "Open"), html.Div([start, *boxes], className="buttons")], className="head")
+    left = [drop, head, html.Div(id=f"{NAME}-form"), html.Div(id=f"{NAME}-sought")]
     stores = [dcc.Store(id=f"{NAME}-{name}", storage_type="session") for name in ("names", "run")]
     right = results.frame(NAME, tabs(f"{NAME}-tab", [*_TABS], _TABS[0], "results"))
     return [*editor.stores(NAME), *stores, html.Form(left, className="form"), right]
@@ -79,7 +80,7 @@ def numbers_of(session: Session, text: str) -> dict[str, float | None]:
     if is_poroelastic(found.medium):
         return dict.fromkeys(GEL_NAMES)
     pattern = pattern_of(found.indenter, found.medium, found.instrument)
-    return {name: float(value) for name, value in zip(pattern.names, pattern.values, strict=True) if name}
+    return {name: float(value) for name, value in zip(pattern.names, pattern.values, strict=True) if name and math.isfinite(value)}
 
 
 def sought(session: Session, text: str) -> Any:
@@ -145,7 +146,7 @@ def report(run: Mapping[str, Any], found: Any) -> list[Any]:
     command = results.files(NAME, f"mdrcontact fit {run['names'][0]} --problem problem.toml --report report.html", names)
     if not hasattr(fit.fit, "interval_as_text"):  # a gel
         return [*results.report(fit, None), command]
-    verdict = html.P(fit.fit.verdict, className="verdict")
+    verdict = html.P(f"The model {fit.fit.misfit_words()}.", className="verdict")
     warnings = [html.Ul([html.Li(words) for words in fit.warnings], className="warnings")] if fit.warnings else []
     parts = [html.H2(fit.title), verdict, _estimates(fit), *warnings, command, results.panels(fit.figure())]
     if fit.moves is not None and fit.moves.summary():
@@ -195,6 +196,8 @@ def register(dash: Dash, session: Session) -> None:
     first = session.text if mine else ""
     known = {"names": [name for name in session.files if name.lower().endswith(DATA_SUFFIXES)] if mine else [], "out": []}
     editor.register(dash, NAME, _ROOT, first, lambda text, path, value: seek(session, text, path, value))
+
+    many.register(dash, session, NAME)
 
     def inspected(names: list[str]) -> Any:
         if names[0] not in session.files:
@@ -285,7 +288,7 @@ def register(dash: Dash, session: Session) -> None:
             return results.show_answer(NAME, results.Answer(refusal=refusal), list, "")
         if not run:
             return results.show([html.P("Press Fit to find the ticked numbers.", className="note")])
-        found = results.answer(session, (NAME, json.dumps(run)), "fit", lambda progress: fitted(session, run, progress))
+        found = results.answer(session, editor.key_of(NAME, run), "fit", lambda progress: fitted(session, run, progress))
         made = results.show_answer(NAME, found, lambda one: report(run, one), "fit computed")
         is_old = found.result is not None and (run["text"], run["names"], run["out"]) != (text, files["names"], files["out"])
         return [made[0], "dimmed" if is_old else made[1], *made[2:]]
@@ -298,7 +301,7 @@ def register(dash: Dash, session: Session) -> None:
     )
     def get(clicks: Any, run: Any) -> Any:
         """Download a file of the fit."""
-        found = session.jobs.find((NAME, json.dumps(run)))
+        found = session.jobs.find(editor.key_of(NAME, run))
         if found is None or not any(clicks):
             raise PreventUpdate
         return file_of(found, ctx.triggered_id["get"])

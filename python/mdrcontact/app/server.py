@@ -53,6 +53,7 @@ def make_dash() -> Dash:
         add_log_handler=False,
         enable_mcp=False,
         use_pages=False,
+        suppress_callback_exceptions=True,  # some components are there only with their results
     )
 
 

@@ -57,6 +57,11 @@ class Session:
             self.files[names[-1]] = place
         return names
 
+    def shortened(self, words: str) -> str:
+        """Return words, or what JSON has of them, in which dropped files have no folder."""
+        folder = f"{self._folder}/"
+        return words.replace(folder, "").replace(folder.replace("/", "\\u002f"), "")
+
     def problem(self, text: str) -> Problem:
         """Return the problem of a text."""
         return read_text(text, files=self.files)
