@@ -4,7 +4,7 @@
 !> Nonlinear least squares of the forward model that computes contacts, over GSL's trust region. A value known beforehand enters as
 !> one more datum, and with it its uncertainty into that of everything else.
 module mdrcontact_fit
-    use mdrcontact_error, only: check_memory, error_cancelled, error_invalid, error_t, explain, raise
+    use mdrcontact_error, only: check_made, check_memory, error_cancelled, error_invalid, error_t, explain, raise
     use mdrcontact_fit_correlation, only: correlated_spread
     use mdrcontact_fit_least_squares, only: minimize, outcome_t
     use mdrcontact_fit_problem, only: check_data, check_problem, fit_data_t, fit_problem_t, loss_linear
@@ -93,7 +93,8 @@ contains
         logical, allocatable :: lost(:)
         integer :: round, i
 
-        call check_problem(problem, error)
+        call check_made(error, "problem", problem%body%is_made)
+        if (.not. allocated(error)) call check_problem(problem, error)
         if (.not. allocated(error)) call check_data(data, problem, error)
         if (allocated(error)) return
         centred = problem

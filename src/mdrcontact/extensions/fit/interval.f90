@@ -5,7 +5,8 @@ module mdrcontact_fit_interval
     use mdrcontact_object, only: room
     use mdrcontact_nonfinite, only: infinity, is_finite
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: check_memory, count_text, error_invalid, error_memory, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, check_memory, count_text, error_invalid, error_memory, error_no_convergence, error_t, &
+                                raise, to_text
     use mdrcontact_fit, only: fit_result_t, solve_fit
     use mdrcontact_fit_problem, only: ascending_points, fit_data_t, fit_problem_t, joint_priors, values_of
     use mdrcontact_fit_predict, only: predict
@@ -88,6 +89,8 @@ contains
 
         lower = 0.0_wp
         upper = 0.0_wp
+        call check_made(error, "problem", problem%body%is_made)
+        if (allocated(error)) return
         if (.not. any(fit%free == position)) call raise(error, error_invalid, "parameter "//count_text(position)// &
                                                         ": it is not free, so it has no interval. Choose a free parameter")
         if (allocated(error)) return

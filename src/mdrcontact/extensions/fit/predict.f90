@@ -3,8 +3,8 @@
 module mdrcontact_fit_predict
     use mdrcontact_contact_equilibrium, only: equilibrium_t, new_equilibrium
     use mdrcontact_contact_zone_branch, only: add_cohesion
-    use mdrcontact_error, only: check_finite, check_memory, check_not_negative, check_positive, error_domain, error_invalid, &
-                                error_t, error_unreachable, raise, to_text
+    use mdrcontact_error, only: check_finite, check_made, check_memory, check_not_negative, check_positive, error_domain, &
+                                error_invalid, error_t, error_unreachable, raise, to_text
     use mdrcontact_contact, only: on_loading, on_unloading
     use mdrcontact_fit_branches, only: separate
     use mdrcontact_fit_body, only: make_body
@@ -55,6 +55,9 @@ contains
         real(wp), allocatable :: a(:)
         integer, pointer :: given(:)
 
+        y = 0.0_wp
+        call check_made(error, "problem", problem%body%is_made)
+        if (allocated(error)) return
         nullify (given)
         if (present(order)) given => order
         if (present(shared)) then
