@@ -63,6 +63,18 @@ typedef struct mdr_law_view {
  */
 int mdr_law_view_of(const mdr_law *law, int branch, mdr_law_view *view);
 
+/** Check whether a block is sound: the inline functions read no address outside it, at any depth. Views trust their block; check
+ *  those of files, messages and shared memory that another program may have written. The check does not tell whether the law is
+ *  that of a contact. It reads each number once, and is a function of the library. It does not set mdr_last_error().
+ *  @param buffer  the block, aligned to 8 bytes
+ *  @param bytes   its size
+ *  @return MDR_SUCCESS, MDR_ENULL, or MDR_EINVALID for a block that is not sound
+ *  @code
+ *  status = mdr_law_check(view.buffer, (size_t)((const mdr_law_head *)view.buffer)->size * sizeof(double));
+ *  @endcode
+ */
+int mdr_law_check(const double buffer[], size_t bytes);
+
 /* How the buffer begins, and its parts. */
 MDR_INLINE const mdr_law_head *mdr_law_head_of(const mdr_law_view *view)
 {

@@ -3,16 +3,26 @@
  * Whole files, read and written from any number of threads. (Fortran's own statements refuse a file that another unit has open,
  * end a name at its trailing blanks, and write in place.)
  *
- * A file is written beside its place, flushed, closed and then moved there: a reader of the name finds the old content or the
- * new, and a full disk costs nothing but an error. A symbolic link is followed, its target replaced. What exists and is not a
- * regular file (a folder, a device, a pipe) or is write-protected is left alone.
+ * A file is written beside its place, flushed and then moved there: a reader of the name finds the old content or the new, and a
+ * full disk costs nothing but an error. Its owner and its mode stay. A symbolic link is followed, its target replaced. What exists
+ * and is not a regular file (a folder, a device, a pipe) or is write-protected is left alone.
+ *
+ * Where no file can take the place of another, as that has further names (hard links), its folder is write-protected, or its owner
+ * could not stay, it is written in place: then a program that is killed leaves a part, which its checksum shows.
+ *
+ * A program that is killed before leaves the file beside. Who writes it holds a lock on it, which the system takes from a process
+ * that ends: the next one to write into the folder removes what is not locked.
  */
 #define _POSIX_C_SOURCE 200809L
+#define _DEFAULT_SOURCE /* flock */
+#define _DARWIN_C_SOURCE
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -104,8 +114,9 @@ static char *follow(char *link, const struct stat *facts)
     return target;
 }
 
-/* The file that a path means in the end, to be freed; NULL and the reason where nothing may be written. */
-static char *place_of(const char *path, mode_t *mode, char *reason, size_t space)
+/* The file that a path means in the end, to be freed, and what it is, if it exists; NULL and the reason where nothing may be
+ * written. */
+static char *place_of(const char *path, struct stat *found, char *reason, size_t space)
 {
     struct stat facts;
     char *place = strdup(path);
@@ -121,7 +132,7 @@ static char *place_of(const char *path, mode_t *mode, char *reason, size_t space
             place = follow(place, &facts);
             continue;
         }
-        *mode = facts.st_mode & 07777;
+        *found = facts;
         if (S_ISREG(facts.st_mode) && access(place, W_OK) == 0) return place;
         if (S_ISREG(facts.st_mode)) {
             refuse_by_system(reason, space, errno);
@@ -136,22 +147,72 @@ static char *place_of(const char *path, mode_t *mode, char *reason, size_t space
     return NULL;
 }
 
-/* Opens a new file beside `place`, whose name goes to `beside` (the length of `place` and NAME_SPACE more); -1 with errno. */
+static const char *const beside_name = ".mdrcontact-%ld-%d.tmp";
+
+/* Whether a name is that of a file beside. */
+static int is_beside(const char *name)
+{
+    long process;
+    int trial, length = 0;
+    return sscanf(name, ".mdrcontact-%ld-%d.tmp%n", &process, &trial, &length) == 2 && length > 0 && name[length] == '\0';
+}
+
+/* Removes a file that nobody locks. */
+static void remove_abandoned(int folder, const char *name)
+{
+    struct stat facts;
+    const int file = openat(folder, name, O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+
+    if (file < 0) return;
+    if (fstat(file, &facts) == 0 && S_ISREG(facts.st_mode) && facts.st_uid == geteuid() && flock(file, LOCK_EX | LOCK_NB) == 0) {
+        unlinkat(folder, name, 0);
+    }
+    close(file);
+}
+
+/* Removes what killed programs have left in the folder of `place`. */
+static void clear_folder(const char *place)
+{
+    const size_t length = folder_length(place);
+    char *path = malloc(length + 2);
+    DIR *folder = NULL;
+
+    if (path) {
+        memcpy(path, place, length);
+        memcpy(path + length, length > 0 ? "" : ".", length > 0 ? 1 : 2);
+        folder = opendir(path);
+    }
+    for (struct dirent *entry; folder && (entry = readdir(folder)) != NULL;) {
+        if (is_beside(entry->d_name)) remove_abandoned(dirfd(folder), entry->d_name);
+    }
+    if (folder) closedir(folder);
+    free(path);
+}
+
+/* Opens and locks a new file beside `place`, whose name goes to `beside` (the length of `place` and NAME_SPACE more); -1 with
+ * errno. */
 static int open_beside(const char *place, char *beside)
 {
     const size_t folder = folder_length(place);
+    struct stat facts;
     int file = -1;
 
     memcpy(beside, place, folder);
     for (int i = 0; file < 0 && i < MOST_TRIALS; i++) {
-        snprintf(beside + folder, NAME_SPACE, ".mdrcontact-%ld-%d.tmp", (long)getpid(), i);
+        snprintf(beside + folder, NAME_SPACE, beside_name, (long)getpid(), i);
         file = open(beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (file < 0 && errno != EEXIST) break;
+        if (file < 0) continue;
+        /* another process may have locked it first, to remove it; where files have no locks nobody does */
+        if ((flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) || fstat(file, &facts) != 0 || facts.st_nlink == 0) {
+            close(file);
+            file = -1;
+        }
     }
     return file;
 }
 
-/* Writes everything and sees it to the disk; errno of what went wrong, or 0. Closes. */
+/* Writes everything and sees it to the disk; errno of what went wrong, or 0. */
 static int write_all(int file, const char *bytes, size_t size)
 {
     int problem = 0;
@@ -166,28 +227,71 @@ static int write_all(int file, const char *bytes, size_t size)
     }
     /* some file systems find out that they are full here; EINVAL: this one does not flush */
     if (problem == 0 && fsync(file) != 0 && errno != EINVAL) problem = errno;
-    if (close(file) != 0 && problem == 0) problem = errno;
     return problem;
 }
 
-/* Makes the file `path` with these bytes, or replaces it; 0, or -1 and the reason and everything as it was. */
-int mdrcontact_write_file(const char *path, const char *bytes, size_t size, char *reason, size_t space)
+/* Gives a new file the owner and the mode of the old one; 0 if its owner has to change. */
+static int adopt(int file, const struct stat *old)
 {
-    mode_t mode = 0;
-    char *place = place_of(path, &mode, reason, space);
-    char *beside = place ? malloc(strlen(place) + NAME_SPACE) : NULL;
+    struct stat facts;
+
+    if (fstat(file, &facts) != 0) return 0;
+    if ((facts.st_uid != old->st_uid || facts.st_gid != old->st_gid) && fchown(file, old->st_uid, old->st_gid) != 0) return 0;
+    fchmod(file, old->st_mode & 07777);
+    return 1;
+}
+
+/* Writes over a file; errno, or 0. */
+static int write_in_place(const char *place, const char *bytes, size_t size)
+{
+    const int file = open(place, O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    int problem = file < 0 ? errno : write_all(file, bytes, size);
+
+    if (problem == 0 && ftruncate(file, (off_t)size) != 0) problem = errno;
+    if (file >= 0 && close(file) != 0 && problem == 0) problem = errno;
+    return problem;
+}
+
+/* Writes a file beside `place` and moves it there; errno, or 0. `old` has no link if there is no old file; `stays` becomes 1 if
+ * that has to be written in place. */
+static int replace(const char *place, const struct stat *old, const char *bytes, size_t size, int *stays)
+{
+    char *beside = malloc(strlen(place) + NAME_SPACE);
     int file = -1, problem = 0;
 
-    if (!place) return -1;
-    if (beside) file = open_beside(place, beside);
-    if (file < 0) problem = errno;
-    if (file >= 0) {
-        if (mode) fchmod(file, mode); /* where that is not allowed it stays that of a new file */
-        problem = write_all(file, bytes, size);
-        if (problem == 0 && rename(beside, place) != 0) problem = errno;
-        if (problem != 0) unlink(beside);
+    if (!beside) return ENOMEM;
+    file = open_beside(place, beside);
+    if (file < 0) {
+        problem = errno;
+        *stays = old->st_nlink > 0 && (problem == EACCES || problem == EPERM || problem == EROFS);
+    } else {
+        if (old->st_nlink > 0) *stays = !adopt(file, old);
+        if (!*stays) problem = write_all(file, bytes, size);
+        if (!*stays && problem == 0 && rename(beside, place) != 0) {
+            problem = errno;
+            *stays = old->st_nlink > 0 && (problem == EACCES || problem == EPERM || problem == EBUSY);
+        }
+        if (*stays || problem != 0) unlink(beside);
+        close(file);
     }
     free(beside);
+    return problem;
+}
+
+/* Makes the file `path` with these bytes, or replaces it; 0, or -1 and the reason. */
+int mdrcontact_write_file(const char *path, const char *bytes, size_t size, char *reason, size_t space)
+{
+    struct stat old;
+    char *place;
+    int problem = 0, stays;
+
+    memset(&old, 0, sizeof old);
+    place = place_of(path, &old, reason, space);
+    if (!place) return -1;
+    clear_folder(place);
+    stays = old.st_nlink > 1;
+    if (!stays) problem = replace(place, &old, bytes, size, &stays);
+    if (stays) problem = write_in_place(place, bytes, size);
     free(place);
     return problem == 0 ? 0 : refuse_by_system(reason, space, problem);
 }

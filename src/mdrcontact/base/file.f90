@@ -49,7 +49,7 @@ contains
         character(len=reason_space) :: reason
 
         if (mdrcontact_write_file(trim(path)//c_null_char, text, len(text, c_size_t), reason, len(reason, c_size_t)) /= 0) then
-            call refuse(path, " cannot be written: ", reason, error)
+            call refuse(path, " cannot be written", reason, error)
         end if
     end subroutine write_file
 
@@ -78,7 +78,7 @@ contains
                 return
             end if
         end if
-        if (status /= 0) call refuse(path, " cannot be read: ", reason, error)
+        if (status /= 0) call refuse(path, " cannot be read", reason, error)
     end subroutine read_file
 
     subroutine refuse(path, what, reason, error)
@@ -87,7 +87,8 @@ contains
         character(len=*), intent(in) :: reason
         type(error_t), allocatable, intent(inout) :: error
 
-        call raise(error, error_file, "the file "//path(:path_length(path))//what//reason(:path_length(reason)))
+        ! a path may be longer than the text that C returns
+        call raise(error, error_file, reason(:path_length(reason))//": the file "//path(:path_length(path))//what)
     end subroutine refuse
 
     !> Where a path ends: before its null character or its trailing blanks.

@@ -58,7 +58,7 @@ contains
         call read_file(path, text, error)
         if (allocated(error)) return
         call law_from_text(law, text, error)
-        if (allocated(error)) call explain(error, "file "//path(:path_length(path))//": ", "")
+        if (allocated(error)) call explain(error, "", " (the file "//path(:path_length(path))//")")
     end subroutine load_law
 
     !> The content of a law's file.
