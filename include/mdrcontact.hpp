@@ -18,6 +18,8 @@
 
 #include "mdrcontact_law.h"
 
+#include <exception>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -45,10 +47,37 @@ private:
     int entry_;
 };
 
-/** Throw unless a status is MDR_SUCCESS. Call it in the thread that received the status, to which the text belongs. */
+namespace detail {
+/* What a function of the program has thrown while the library called it. */
+inline std::exception_ptr &thrown()
+{
+    thread_local std::exception_ptr kept;
+    return kept;
+}
+} // namespace detail
+
+/** Call a function for the library, which no exception may leave: it is kept for check(). For functions of types other than those
+ *  of Function and Cancel.
+ *  @param call  returns the status
+ *  @return that status, or 1 after an exception */
+template <class Call> int guarded(Call &&call) noexcept
+{
+    try {
+        return call();
+    } catch (...) {
+        if (!detail::thrown()) detail::thrown() = std::current_exception();
+        return 1;
+    }
+}
+
+/** Throw unless a status is MDR_SUCCESS: the exception of a function that the library called, or Error. Call it in the thread that
+ *  received the status, to which the text belongs. */
 inline void check(int status)
 {
     if (status == MDR_SUCCESS) return;
+    if (status == MDR_ECALLBACK || status == MDR_ECANCELLED) {
+        if (auto kept = std::exchange(detail::thrown(), nullptr)) std::rethrow_exception(kept);
+    }
     mdr_failure failure = MDR_SIZED(mdr_failure);
     mdr_last_failure(&failure);
     throw Error(status, mdr_last_error(), failure.argument, failure.entry);
@@ -100,6 +129,51 @@ template <class Made, class Function, class... Arguments> Made make(Function fun
     check(function(std::forward<Arguments>(arguments)..., made.receive()));
     return made;
 }
+
+/** A function y = f(x) of the program for the library, which may throw: check() throws the exception again. Use:
+ *
+ *     mdr::Function bowl([](double r) { return r * r; });
+ *     auto tip = mdr::make<mdr::Profile>(mdr_profile_function, bowl.function(), bowl.context(), 1e-5);
+ */
+class Function {
+public:
+    explicit Function(std::function<double(double)> f) : f_(std::move(f)) {}
+    Function(const Function &) = delete;
+    Function &operator=(const Function &) = delete;
+    mdr_function function() const noexcept { return call; }
+    void *context() noexcept { return this; }
+
+private:
+    static int call(double x, double *y, void *context) noexcept
+    {
+        return guarded([&] {
+            *y = static_cast<Function *>(context)->f_(x);
+            return 0;
+        });
+    }
+    std::function<double(double)> f_;
+};
+
+/** A function that cancels long calls of this thread as long as this object lives, see mdr_set_cancel(). It returns true to cancel,
+ *  and may throw: the call is cancelled, and check() throws the exception again. One object at a time for each thread. */
+class Cancel {
+public:
+    explicit Cancel(std::function<bool()> stop) : stop_(std::move(stop))
+    {
+        detail::thrown() = nullptr;
+        mdr_set_cancel(call, this);
+    }
+    Cancel(const Cancel &) = delete;
+    Cancel &operator=(const Cancel &) = delete;
+    ~Cancel() { mdr_set_cancel(nullptr, nullptr); }
+
+private:
+    static int call(void *context) noexcept
+    {
+        return guarded([&] { return static_cast<Cancel *>(context)->stop_() ? 1 : 0; });
+    }
+    std::function<bool()> stop_;
+};
 
 /** A compiled law on one branch, with the inline functions of mdrcontact_law.h. Any number of threads may share it. */
 class Law {

@@ -115,9 +115,10 @@ contains
         associate (medium => friction%contact%equilibrium%medium)
             call find_levels(self, .not. medium%has_free_springs)
             if (.not. medium%has_free_springs) call find_shares(self, friction, error)
+            ! what verifies it takes it as made
+            self%is_made = .true.
             if (.not. allocated(error)) call verify_first_shear(self, friction, largest_depth, error)
-            if (allocated(error)) return
-            if (medium%has_free_springs) call verify_paths(self, friction, largest_depth, error)
+            if (medium%has_free_springs .and. .not. allocated(error)) call verify_paths(self, friction, largest_depth, error)
         end associate
         self%is_made = .not. allocated(error)
     end subroutine new_friction_law
