@@ -33,6 +33,8 @@ module mdrcontact_contact_branch
     real(wp), parameter :: tolerance = 1.0e-8_wp
     !> Half width of the interval around an extremum on which the equilibria are sampled again to find it to full precision.
     real(wp), parameter :: extremum_width = 0.1_wp
+    !> The largest load of an imprint is solved for: what is given may be this part above it.
+    real(wp), parameter :: largest_rounding = 1.0e-9_wp
 
 contains
 
@@ -88,8 +90,10 @@ contains
         wall%lowest = control%of(end_state%depth, end_state%force)
         wall%highest = huge(1.0_wp)
         ! at the edge of an imprint from the largest load on
-        if (equilibrium%ends_sharply()) wall%highest = control%of(end_state%depth - end_state%punch_depth, &
-                                                                  end_state%force - end_state%stiffness*end_state%punch_depth)
+        if (equilibrium%ends_sharply()) then
+            wall%highest = control%of(equilibrium%sharp_end%depth, equilibrium%sharp_end%force)
+            wall%highest = wall%highest + largest_rounding*abs(wall%highest)
+        end if
         if (size(list) > 0) then
             if (list(size(list))%last >= wall%first) list(size(list))%highest = wall%lowest
         end if

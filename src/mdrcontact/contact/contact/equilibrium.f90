@@ -52,6 +52,8 @@ module mdrcontact_contact_equilibrium
         logical :: is_formula = .false.
         !> relative accuracy of a state where medium or zeta are interpolated between samples; 0 where they are computed
         real(wp) :: roughness = 0.0_wp
+        !> the state without adhesion at the sharp end of an imprint, that of its largest load
+        type(contact_state_t) :: sharp_end
         !> ascending; found for contacts, by find_unstable_ranges
         type(unstable_range_t), allocatable :: unstable_ranges(:)
     contains
@@ -112,11 +114,11 @@ contains
                 self%last_radius = min(self%last_radius, zeta%largest_radius)
                 self%is_formula = .false.
                 self%roughness = max(self%roughness, interpolation_roughness)
-                self%is_made = .true.
-                return
             end if
         end if
-        call copy(profile, self%profile, error)
+        if (.not. self%has_zeta) call copy(profile, self%profile, error)
+        if (allocated(error)) return
+        if (self%ends_sharply()) call self%at(self%last_radius, self%sharp_end, error)
         self%is_made = .not. allocated(error)
     end subroutine new_equilibrium
 

@@ -93,9 +93,8 @@ contains
             end if
         end if
         if (equilibrium%ends_sharply()) then
-            call equilibrium%at(equilibrium%last_radius, state, error)
-            if (allocated(error)) return
             ! the state of the largest load itself
+            state = equilibrium%sharp_end
             if (abs(s - control%of(state%depth, state%force)) <= largest_rounding*s) return
         end if
         mismatch%equilibrium => equilibrium

@@ -13,7 +13,7 @@ module mdrcontact_line_moments
     use mdrcontact_line_rule, only: largest_rule, new_rule, rule_t
     use mdrcontact_line_series, only: add_projections
     use mdrcontact_line_slip_profile, only: slip_profile_t
-    use mdrcontact_numerics_quadrature, only: graded_rule, merge_breaks, smallest_panel_ratio
+    use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -24,8 +24,8 @@ module mdrcontact_line_moments
     !> Contribution relative to g(a) below which nothing towards the axis counts.
     real(wp), parameter :: negligible = 1.0e-18_wp
     integer, parameter :: most_intervals = 40
-    !> Where a break is put under an imprint, which has none [a].
-    real(wp), parameter :: first_break = 0.5_wp
+    !> So many nodes, and one for each polynomial of degree 2 j, take a half wave or less of it each.
+    integer, parameter :: nodes_by_angle = 24
 
 contains
 
@@ -57,7 +57,11 @@ contains
                 g = g + pieces*normalisation(size(g))
                 return
             end if
-            call integrate(profile, a, g, error)
+            if (profile%sharp_radius > 0.0_wp) then
+                call integrate_by_angle(profile, a, g, error)
+            else
+                call integrate(profile, a, g, error)
+            end if
         end if
         do i = 1, size(exponents)
             call add_power(exponents(i), coefficients(i)*a**exponents(i), g)
@@ -106,8 +110,6 @@ contains
         integer :: i, k
 
         call profile%add_breaks(breaks, error)
-        ! intervals shrink towards the axis and, behind the first break, towards a singular end
-        if (profile%sharp_radius > 0.0_wp) call merge_breaks(breaks, [first_break*a], error)
         if (allocated(error)) return
         breaks = [breaks(:count(breaks < a)), a]
         low = 0.0_wp
@@ -144,6 +146,30 @@ contains
             low = high
         end do
     end subroutine integrate
+
+    !> Under an imprint g is an entire function of phi, x = A sin(phi), up to its sharp end.
+    subroutine integrate_by_angle(profile, a, g, error)
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp), intent(inout) :: g(:)
+        type(error_t), allocatable, intent(inout) :: error
+        type(rule_t) :: rule
+        real(wp), allocatable, dimension(:) :: angle, u, w
+        real(wp) :: largest
+        integer :: i, parts, n
+
+        largest = asin(min(a/profile%sharp_radius, 1.0_wp))
+        n = nodes_by_angle + size(g)
+        parts = 1 + (n - 1)/largest_rule
+        call new_rule(rule, 1 + (n - 1)/parts, error)
+        if (allocated(error)) return
+        do i = 1, parts
+            angle = largest*(real(i - 1, wp) + 0.5_wp*rule%distance)/real(parts, wp)
+            u = min(sin(angle)*(profile%sharp_radius/a), 1.0_wp)
+            w = rule%weights*cos(angle)*(profile%sharp_radius/a*largest/parts)*profile%mdr(a*u)
+            call add_projections(size(u), u, w, g)
+        end do
+    end subroutine integrate_by_angle
 
     !> (a/pi) int_-1^1 X(a (1 - u)) (g(a |u|) - mean) du, what g adds to K g at the edge of the contact.
     subroutine edge_moment(profile, kernel, a, shift, mean, total, error)
