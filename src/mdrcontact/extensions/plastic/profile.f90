@@ -21,6 +21,8 @@ module mdrcontact_plastic_profile
     integer, parameter :: terms_near_axis = 15
     !> Steps of the arithmetic-geometric mean, which doubles its digits in each, at most.
     integer, parameter :: most_steps = 12
+    !> Places at which polynomials are summed together.
+    integer, parameter :: together = 8
     integer, parameter :: of_mdr = 1, of_height = 2, of_moment = 3
     !> Coefficients of layers that are smaller than this part of the largest are left out.
     real(wp), parameter :: negligible = 1.0e-16_wp
@@ -39,6 +41,7 @@ module mdrcontact_plastic_profile
         procedure :: height
         procedure :: slope
         procedure :: mdr
+        procedure :: mdr_at
         procedure :: mdr_slope
         procedure :: mdr_moment
         procedure :: radius_from_mdr
@@ -109,22 +112,27 @@ contains
         end do
     end function series_of
 
-    !> Sum of c(k) T_(k-1)(2 square - 1), by Clenshaw.
+    !> Sum of c(k) T_(k-1)(2 square - 1), by Clenshaw, for a few places at a time, which a processor works on together.
     pure function sum_of(c, square) result(y)
         real(wp), intent(in) :: c(:), square(:)
-        real(wp), dimension(size(square)) :: y
-        real(wp), dimension(size(square)) :: z, before, other
-        integer :: k
+        real(wp) :: y(size(square))
+        real(wp), dimension(together) :: z, next, before, here
+        integer :: first, last, k
 
-        z = 2.0_wp*(2.0_wp*square - 1.0_wp)
-        y = 0.0_wp
-        before = 0.0_wp
-        do k = size(c), 2, -1
-            other = y
-            y = c(k) + z*y - before
-            before = other
+        do first = 1, size(square), together
+            last = min(first + together - 1, size(square))
+            z = 0.0_wp
+            z(:last - first + 1) = 4.0_wp*square(first:last) - 2.0_wp
+            next = 0.0_wp
+            before = 0.0_wp
+            do k = size(c), 2, -1
+                here = c(k) + z*next - before
+                before = next
+                next = here
+            end do
+            here = c(1) + 0.5_wp*z*next - before
+            y(first:last) = here(:last - first + 1)
         end do
-        y = c(1) + 0.5_wp*z*y - before
     end function sum_of
 
     !> The same at one place, and its slope over `square`.
@@ -256,16 +264,45 @@ contains
         if (allocated(self%layers)) y = y + added(self, of_mdr, u)*u**2
     end function mdr
 
+    !> The same at many places, side by side.
+    pure function mdr_at(self, x) result(y)
+        class(imprint_profile_t), intent(in) :: self
+        real(wp), intent(in) :: x(:)
+        real(wp) :: y(size(x))
+        real(wp), dimension(size(x)) :: s, square
+        integer :: j
+
+        associate (a => self%largest_radius)
+            square = (x/a)**2
+            s = sqrt(max((a - x)/a*(1.0_wp + x/a), 0.0_wp))
+        end associate
+        y = 0.0_wp
+        do j = size(self%loads) - 1, 0, -1
+            y = y*s + self%tails(j)
+        end do
+        y = y/(1.0_wp + s)
+        if (allocated(self%layers)) y = y + sum_of(self%layers(:, of_mdr), square)
+        y = y*square
+    end function mdr_at
+
     !> The sum of a column of `layers` at u.
     pure function added(self, column, u) result(y)
         class(imprint_profile_t), intent(in) :: self
         integer, intent(in) :: column
         real(wp), intent(in) :: u
         real(wp) :: y
-        real(wp) :: values(1)
+        real(wp) :: z, next, before
+        integer :: k
 
-        values = sum_of(self%layers(:, column), [u**2])
-        y = values(1)
+        z = 4.0_wp*u**2 - 2.0_wp
+        next = 0.0_wp
+        before = 0.0_wp
+        do k = size(self%layers, 1), 2, -1
+            y = self%layers(k, column) + z*next - before
+            before = next
+            next = y
+        end do
+        y = self%layers(1, column) + 0.5_wp*z*next - before
     end function added
 
     elemental function mdr_slope(self, x) result(y)

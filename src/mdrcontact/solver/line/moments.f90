@@ -166,7 +166,7 @@ contains
         do i = 1, parts
             angle = largest*(real(i - 1, wp) + 0.5_wp*rule%distance)/real(parts, wp)
             u = min(sin(angle)*(profile%sharp_radius/a), 1.0_wp)
-            w = rule%weights*cos(angle)*(profile%sharp_radius/a*largest/parts)*profile%mdr(a*u)
+            w = rule%weights*cos(angle)*(profile%sharp_radius/a*largest/parts)*profile%mdr_at(a*u)
             call add_projections(size(u), u, w, g)
         end do
     end subroutine integrate_by_angle
