@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any, NamedTuple, Protocol, cast
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -35,7 +35,7 @@ class ReverseYield(NamedTuple):
     >>> imprint = mdr.plastic.Imprint.from_two_terms(body, 1e-5, 1.7e9, 0.8e9)
     >>> ratio, layer = imprint.reverse_yield(1e9)
     >>> print(f"{ratio:.2f} {layer}")
-    1.74 0
+    1.62 0
     """
 
     ratio: float
@@ -79,24 +79,18 @@ class Imprint(Value):
     DomainError
         The contact would end in a ring.
 
-    Warns
+    Notes
     -----
-    PlasticityWarning
-        Force and depths need a uniform part below 0 by less than 0.5 % of F/A, which is taken as 0.
+    A uniform part below 0 by less than 0.5 % of F/A, as from a measured residual depth near yield, is taken as 0 with a
+    `PlasticityWarning`.
 
-    See Also
-    --------
-    Imprint.from_two_terms, Imprint.from_pressure, Imprint.from_state
+    On half-spaces the error of the force on unloading is 0.2 % to 1.3 % of the largest one for indentations by a paraboloid, on soft
+    films up to 1.9 %, by comparison with finite elements (theory/plastic.md (2.2)).
 
     References
     ----------
     bolshakov-1998
     mesarovic-2000
-
-    Notes
-    -----
-    On half-spaces the error of the force on unloading is 0.2 % to 1.3 % of the largest one for indentations by a paraboloid, on soft
-    films up to 1.9 %, by comparison with finite elements (theory/plastic.md (2.2)).
 
     Examples
     --------
@@ -105,7 +99,7 @@ class Imprint(Value):
     >>> contact = imprint.contact()
     >>> state = contact.at_force([0.35, 0.7])
     >>> print(state.depth + imprint.residual_depth)
-    [6.96785474e-07 8.00000000e-07]
+    [7.18326409e-07 8.00000000e-07]
     """
 
     body: Medium
@@ -154,7 +148,8 @@ class Imprint(Value):
 
     def _maker(self) -> Callable[..., Imprint]:
         form = self._form[0]
-        return cast("Callable[..., Imprint]", getattr(type(self), form) if form else type(self))
+        maker: Callable[..., Imprint] = getattr(type(self), form) if form else type(self)
+        return maker
 
     def __repr__(self) -> str:
         form = self._form[0]
@@ -165,7 +160,7 @@ class Imprint(Value):
         return partial(self._maker(), **self._given()), ()
 
     def replace(self, **changes: Any) -> Imprint:
-        """Return a new imprint with some arguments of its constructor or class method changed.
+        """Return a new imprint with some arguments changed.
 
         Parameters
         ----------
@@ -215,7 +210,7 @@ class Imprint(Value):
         >>> body = mdr.Homogeneous(mdr.Elastic(200e9, 0.3))
         >>> imprint = mdr.plastic.Imprint.from_two_terms(body, 1e-5, 1.7e9, 0.8e9)
         >>> print(f"{imprint.force:.4f} {imprint.recovery:.4e} {imprint.recovered_work:.4e}")
-        0.7016 2.1189e-07 6.2870e-08
+        0.7016 2.1188e-07 6.1800e-08
         """
         given = {
             "body": body,
@@ -228,9 +223,9 @@ class Imprint(Value):
 
     @classmethod
     def from_pressure(cls, body: Medium, r: ArrayLike, p: ArrayLike, depth: float = 0.0) -> Imprint:
-        """Create the imprint of a pressure known at points, such as that of finite elements.
+        """Create the imprint of a pressure known at points.
 
-        The pressure is represented by a polynomial of degree 1 to 8 in `sqrt(1 - r^2/A^2)`, by least squares. `misfit` is its largest
+        It may be that of finite elements. It is represented by a polynomial of degree 1 to 8 in `sqrt(1 - r^2/A^2)`, by least squares. `misfit` is its largest
         difference at the points.
 
         Parameters
@@ -264,8 +259,8 @@ class Imprint(Value):
         >>> body = mdr.Homogeneous(mdr.Elastic(200e9, 0.3))
         >>> r = np.linspace(0.0, 1e-5, 41)
         >>> imprint = mdr.plastic.Imprint.from_pressure(body, r, 1.7e9 + 0.8e9 * np.sqrt(1.0 - (r / 1e-5) ** 2))
-        >>> print(f"{imprint.force:.4f} {imprint.recovery:.4e} {imprint.misfit:.0e}")
-        0.7016 2.1189e-07 2e-16
+        >>> print(f"{imprint.force:.4f} {imprint.recovery:.4e} {imprint.misfit < 1e-12}")
+        0.7016 2.1188e-07 True
         """
         radii, pressures = numbers("r", r).ravel(), numbers("p", p).ravel()
         if radii.size != pressures.size:
@@ -298,7 +293,7 @@ class Imprint(Value):
 
     @property
     def recovery(self) -> float:
-        """Elastic recovery, the depth at the largest load less the residual depth [length]."""
+        """Elastic recovery, `depth - residual_depth` [length]."""
         return self.depth - self.residual_depth
 
     @property
@@ -308,12 +303,12 @@ class Imprint(Value):
 
     @property
     def uniform(self) -> float:
-        """Uniform part of the pressure at the largest load, 0 unless it has two terms [modulus]."""
+        """Uniform part of a pressure of two terms, otherwise 0 [modulus]."""
         return self._uniform
 
     @property
     def hertz(self) -> float:
-        """Hertz's part of the pressure at the largest load, 0 unless it has two terms [modulus]."""
+        """Hertz's part of a pressure of two terms, otherwise 0 [modulus]."""
         return self._hertz
 
     @property
@@ -326,11 +321,16 @@ class Imprint(Value):
 
     @property
     def profile(self) -> ImprintProfile:
-        """Indenter whose elastic contact with the body is the unloading; its depths count from the residual depth."""
+        """Indenter whose elastic contact is the unloading.
+
+        Its depths count from the residual depth.
+        """
         return ImprintProfile(self)
 
     def contact(self, work_of_adhesion: float = 0.0) -> Contact:
-        """Return the elastic contact of the imprint: unloading, reloading and everything else while nothing yields.
+        """Return the elastic contact of the imprint.
+
+        It is unloading, reloading and everything else while nothing yields.
 
         Parameters
         ----------
@@ -352,7 +352,7 @@ class Imprint(Value):
         >>> body = mdr.Homogeneous(mdr.Elastic(200e9, 0.3))
         >>> imprint = mdr.plastic.Imprint.from_two_terms(body, 1e-6, 6e9, 0.0)
         >>> print(f"{imprint.contact(work_of_adhesion=1.0).pull_off().force:.4e}")
-        -1.9216e-04
+        -1.6869e-04
         """
         return Contact(self.profile, self.body, work_of_adhesion=work_of_adhesion)
 
@@ -379,10 +379,9 @@ class Imprint(Value):
         DomainError
             R_Y exceeds 3: unloading yields again and the imprint does not hold.
 
-        Warns
+        Notes
         -----
-        PlasticityWarning
-            R_Y exceeds 2: the force on unloading has an error of 0.1 % to 2.5 % of the largest one.
+        Above 2 a `PlasticityWarning` states the error of the force on unloading, 0.02 % to 2.5 % of the largest one.
         """
         values = np.atleast_1d(numbers("yield_stresses", yield_stresses))
         ratio, layer = call(native.imprint_reverse_yield, self._handle, values)
@@ -400,9 +399,9 @@ class Imprint(Value):
 
 @dataclass(frozen=True)
 class ImprintProfile(Profile):
-    """Indenter whose elastic contact is the unloading of an imprint, from `Imprint.profile`.
+    """Indenter whose elastic contact is the unloading of an imprint.
 
-    It ends at the contact radius of the largest load, where its slope is infinite unless the pressure is 0 there.
+    `Imprint.profile` returns it. It ends at the contact radius of the largest load, where its slope is infinite unless the pressure is 0 there.
 
     Parameters
     ----------
@@ -418,7 +417,7 @@ class ImprintProfile(Profile):
     --------
     >>> imprint = mdr.plastic.Imprint.from_two_terms(mdr.Homogeneous(mdr.Elastic(200e9, 0.3)), 1e-5, 1.7e9, 0.8e9)
     >>> print(f"{imprint.profile.mdr(1e-5):.4e} {imprint.recovery:.4e}")
-    2.1189e-07 2.1189e-07
+    2.1188e-07 2.1188e-07
     """
 
     _is_table = True
