@@ -149,10 +149,10 @@ typedef struct mdr_plastic_law mdr_plastic_law;
 /** Create a material that yields.
  *  @param E             Young's modulus > 0 [modulus]
  *  @param nu            Poisson's ratio, 0 to 0.49 [1]; of a material that does not yield -1 to 0.5
- *  @param n             number of points; 0: it does not yield; 1: perfect plasticity
+ *  @param n             number of points, at least 1 of a material that yields; 1: perfect plasticity
  *  @param strain        [n] plastic strains >= 0, rising [1]
- *  @param yield_stress  [n] yield stresses > 0, which do not fall and rise less than proportionally to the strain [modulus]; linear
- *                       between the points, constant below and above them
+ *  @param yield_stress  [n] yield stresses > 0, which do not fall and rise less than proportionally to the strain; linear between
+ *                       the points, constant below and above them [modulus]. Or NULL: it does not yield
  *  @param out           receives the handle
  *  @code
  *  const double strain = 0.0, Y = 1e9;

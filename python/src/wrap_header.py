@@ -36,6 +36,7 @@ SIZES = {
     "mdr_conduction_follow": {"given": ""},
     "mdr_material_viscoelastic": {"moduli": "", "times": ""},
     "mdr_wear_new": {"thickness": ""},
+    "mdr_yielding_new": {"yield_stress": ""},
     "mdr_wear_history_save": {"numbers": "capacity"},
     "mdr_structure_shapes": {"parameters": "n, 7"},
     "mdr_structure_voxels": {"labels": "", "E": "phases", "nu": "phases"},

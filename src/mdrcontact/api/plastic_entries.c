@@ -90,7 +90,6 @@ int mdr_yielding_new(double E, double nu, int n, const double strain[], const do
 {
     if (n < 0) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !strain) return mdrcontact_refuse_null("strain");
-    if (n > 0 && !yield_stress) return mdrcontact_refuse_null("yield_stress");
     if (!out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_yielding_new(E, nu, n, strain, yield_stress, out);
     fenv_t callers;

@@ -34,8 +34,13 @@ contains
 
         allocate (made)
         call new_material(material, e, nu, error)
-        if (.not. allocated(error) .and. n > 0) call new_yielding(made, material, strain, yield_stress, error)
-        if (.not. allocated(error) .and. n == 0) call new_elastic(made, material, error)
+        if (allocated(error)) then
+            continue
+        else if (present(yield_stress)) then
+            call new_yielding(made, material, strain, yield_stress, error)
+        else
+            call new_elastic(made, material, error)
+        end if
         call move_alloc(made, object)
         status = return_object(object, out, error)
     end function mdr_yielding_new
