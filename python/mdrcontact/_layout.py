@@ -775,6 +775,7 @@ POINTERS = {
     "imprint_profile": (0,),
     "imprint_about": (0, 1),
     "imprint_reverse_yield": (0,),
+    "yielding_new": (3,),
     "plastic_law_new": (0, 1, 3),
     "plastic_law_from_points": (5,),
     "plastic_law_with_radius": (0,),
