@@ -73,6 +73,7 @@ contains
         self%sharp_radius = radius
         if (any(abs(loads(1::2)) > 0.0_wp)) self%singular_radius = radius
         if (present(layers)) call set_layers(self, layers, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_imprint_profile
 
     !> The polynomials of layers from values of the first: height and moment are integrals of g along the radius, of the same degree.
