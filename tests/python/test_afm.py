@@ -174,7 +174,7 @@ def test_drift_of_a_file_without_times(tmp_path):
     (taken,) = (note for note in problem.curves(tmp_path / "rated.h5")[0].read()[1] if note.startswith("drift"))
     assert taken == "drift 1 nm/s, 299 pm over the whole test, is subtracted", "300 readings in 0.299 s"
     for name in ("plain.h5", "two.h5"):
-        with pytest.raises(mdr.MDRError, match="neither times nor one rate of sampling: leave drift out"):
+        with pytest.raises(mdr.MDRError, match="neither times nor one rate of sampling. Leave drift out"):
             problem.curves(tmp_path / name)[0].read()
 
 

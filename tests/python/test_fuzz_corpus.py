@@ -65,7 +65,7 @@ def test_a_number_beyond_all_floats(tmp_path):
         '[indenter]\nshape = "paraboloid"\nradius = "1 um"\n[medium]\ntype = "homogeneous"\n'
         '[medium.material]\nE = "1 GPa"\nnu = 1' + "0" * 400 + '\n[compute]\nmax_depth = "1 nm"\n'
     )
-    with pytest.raises(ProblemError, match="nu = infinity"):
+    with pytest.raises(ProblemError, match=r"nu = 1000"):
         load(path)
 
 

@@ -15,7 +15,7 @@ import pytest
 import mdrcontact as mdr
 from mdrcontact.cli import main
 from mdrcontact.instruments.files.fit_file import fit_file_of_text, load_fit_file
-from mdrcontact.problem import ProblemError, load, load_map, read, read_text
+from mdrcontact.problem import ProblemError, load, load_map, read, read_map_text, read_text
 
 BODY = '[indenter]\nshape = "paraboloid"\nradius = "1 um"\n[medium]\ntype = "homogeneous"\nmaterial = { E = "1 GPa", nu = 0.3 }\n'
 TIP = "[indenter]\nfile = NAME\n"
@@ -63,7 +63,7 @@ def opened(key, text, path=None, files=()):
     if key == "[indenter] file of a fit":
         return load_fit_file(path) if path else fit_file_of_text(text, files=files)
     if key == "[structure] labels":
-        return load_map(path) if path else pytest.skip("maps are read from files")
+        return load_map(path) if path else read_map_text(text, files=files)
     return load(path) if path else read_text(text, files=files)
 
 
@@ -146,8 +146,6 @@ def test_errors_repeat_nothing_of_a_named_file(key, kind, tmp_path):
     (tmp_path / "named").write_text(SECRETS[kind])
     refusals = []
     for text in (None, naming(key, "named")):
-        if text and key == "[structure] labels":
-            continue
         with pytest.raises(mdr.MDRError) as refusal:
             opened(key, text, written(tmp_path, key, "named") if text is None else None, {"named": SECRETS[kind].encode()})
         refusals.append(str(refusal.value))
@@ -181,18 +179,19 @@ def test_errors_still_help_with_a_table_of_measurements(tmp_path):
         load(written(tmp_path, "[indenter] file", "named"))
 
 
-@pytest.mark.parametrize("key", [key for key in KEYS if key != "[structure] labels"])
+@pytest.mark.parametrize("key", KEYS)
 def test_a_text_opens_what_is_given_and_nothing_else(key, tmp_path, monkeypatch):
     prepared(tmp_path)
     monkeypatch.chdir(tmp_path)
     good = KEYS[key][1]
-    names = ["/etc/passwd", "../x", "/dev/zero", ".", str(tmp_path / good), f"./{good}", good.upper(), ""]
+    (tmp_path / "link").symlink_to(good)
+    names = ["/etc/passwd", "../x", "link", "/dev/zero", ".", str(tmp_path / good), f"./{good}", good.upper(), ""]
     for files in ({}, {"a.csv": b"", "b.csv": b""}):
         for name in [*names, good]:
             with pytest.raises(ProblemError, match="not among the given files") as refusal:
                 opened(key, naming(key, name), None, files)
             assert ("a.csv, b.csv" in str(refusal.value)) == bool(files) and f"= {name!r}" in str(refusal.value)
-    for files in ({good: SOUND[good]}, {good: tmp_path / good}, [tmp_path / good], [str(tmp_path / good)]):
+    for files in ({good: (tmp_path / good).read_bytes()}, {good: tmp_path / good}, [tmp_path / good], [str(tmp_path / good)]):
         assert opened(key, naming(key, good), None, files)
     with pytest.raises(ProblemError, match="regular file"):
         opened(key, naming(key, good), None, {good: tmp_path})

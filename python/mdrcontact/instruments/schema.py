@@ -16,7 +16,7 @@ from inspect import signature
 from .._units import LENGTH, RATIO, SENSITIVITY, STIFFNESS, dimensions
 from ..loop import RULES
 from ..poroelastic import DRAINAGES
-from ..problem.field import NOT_NEGATIVE, Field, Range, Table
+from ..problem.field import NOT_NEGATIVE, POSITIVE, Field, Range, Table
 from ..problem.medium import MATERIAL
 from ..problem.schema import PROBLEM, tables_of
 from .files.data_keys import KNOWN
@@ -47,7 +47,7 @@ INSTRUMENT = Table(
             for name, meaning in _NUMBERS.items()
         ),
         Field("indenter", "material of the indenter, for its compliance", optional=True, table=MATERIAL),
-        Field(CANTILEVER[0], "spring constant of the cantilever; of records", STIFFNESS, optional=True),
+        Field(CANTILEVER[0], "spring constant of the cantilever; of records", STIFFNESS, optional=True, range=POSITIVE),
         Field(CANTILEVER[1], "deflection per volt; of records", SENSITIVITY, optional=True),
     ),
     "docs/unloading.md",

@@ -19,14 +19,14 @@ from .conduction import Conducting
 from .friction import Sliding
 from .history import HistoryPath
 from .named import Files, Folder, Given, GivenFiles
-from .section import ProblemError, Section
+from .section import WHOLE, ProblemError, Section
 from .strength import Strengths
-from .structure import MapProblem, load_map
+from .structure import MapProblem, load_map, read_map_text
 from .tip_file import with_calibration
 from .toml import parse_file, parse_text
 from .wear import Rubbing
 
-__all__ = ["MapProblem", "Problem", "ProblemError", "load", "load_map", "read", "read_text", "schema"]
+__all__ = ["MapProblem", "Problem", "ProblemError", "load", "load_map", "read", "read_map_text", "read_text", "schema"]
 
 
 class _Part(NamedTuple):
@@ -67,9 +67,9 @@ class Problem(NamedTuple):
     def check_elastic(self) -> None:
         """Raise an error for a medium whose states depend on time."""
         if is_poroelastic(self.medium):
-            raise self._refusal("[medium]: this command does not support gels. Use mdrcontact history.")
+            raise self._error("this command does not support gels", "Use mdrcontact history", "medium")
         if is_viscoelastic(self.medium):
-            raise self._refusal("[medium]: this command does not support viscoelastic bodies. Use mdrcontact history.")
+            raise self._error("this command does not support viscoelastic bodies", "Use mdrcontact history", "medium")
 
     def contact(self, in_time: bool = False) -> Contact:
         """Return the contact of indenter and medium, with adhesion if the file has it. in_time : for a history"""
@@ -79,13 +79,15 @@ class Problem(NamedTuple):
             return Contact(self.indenter, self.medium)
         adhesion = self.adhesion
         if adhesion.rate is not None and not in_time:
-            raise self._refusal(
-                "[adhesion]: this command does not support a work of adhesion that depends on speed. Use mdrcontact history, or "
-                "leave out speed, exponent and closing_..."
+            raise self._error(
+                "this command does not support a work of adhesion that depends on speed",
+                "Use mdrcontact history, or leave out speed, exponent and closing_...",
+                "adhesion",
+                "speed",
             )
         if adhesion.rate is not None:
             if adhesion.cohesive_stress:
-                raise self._refusal("[adhesion]: cohesive_stress and speed exclude each other. Keep one.")
+                raise self._error("cohesive_stress and speed exclude each other", "Keep one", "adhesion", "cohesive_stress")
             return Contact(self.indenter, self.medium, adhesion_rule=adhesion.adhesion_rule, adhesion=adhesion.rate)
         return Contact(
             self.indenter,
@@ -99,11 +101,11 @@ class Problem(NamedTuple):
         """Return the contents of a table; an error if the problem has none."""
         part = getattr(self, name)
         if part is None:
-            raise self._refusal(f"the table [{name}] is missing. Write it with {_PARTS[name].example}.")
+            raise self._error(f"the table [{name}] is missing", f"Write it with {_PARTS[name].example}", key=name)
         return part
 
-    def _refusal(self, words: str) -> ProblemError:
-        return ProblemError(f"{self.path}: {words}" if self.path else words)
+    def _error(self, rule: str, remedy: str, table: str = "", key: str = "") -> ProblemError:
+        return ProblemError(rule, remedy, table=table, key=key, file=str(self.path or ""))
 
 
 def load(path: str | Path) -> Problem:
@@ -136,7 +138,7 @@ def load(path: str | Path) -> Problem:
     try:
         return _read(parse_file(path), path.stem, Folder(path.parent))._replace(path=path)
     except ProblemError as problem:
-        raise ProblemError(f"{path}: {problem}") from problem
+        raise problem.within(path) from problem
 
 
 def read_text(text: str, title: str = "", files: Given = ()) -> Problem:
@@ -212,7 +214,7 @@ def read(table: dict[str, Any], title: str = "", folder: Path | None = None, fil
 
 def _read(table: dict[str, Any], title: str, files: Files) -> Problem:
     table = with_calibration(table, files)
-    whole = Section(table, "the file", schema.PROBLEM)
+    whole = Section(table, WHOLE, schema.PROBLEM)
     parts = {name: part.read(Section(table[name], name, part.known, files)) for name, part in _PARTS.items() if name in table}
     path = parts.get("history") or getattr(parts.get("friction"), "path", None)
     sections = {}
@@ -220,7 +222,7 @@ def _read(table: dict[str, Any], title: str, files: Files) -> Problem:
         if name in table:
             sections[name] = Section(table[name], name, known)
         elif name != "compute" or path is None:
-            raise ProblemError(f"the table [{name}] is missing. A problem needs [indenter], [medium] and [compute].")
+            raise ProblemError(f"the table [{name}] is missing", "A problem needs [indenter], [medium] and [compute]", key=name)
     if "compute" in sections or path is None:
         control = compute.read_control(sections["compute"])
     else:

@@ -9,7 +9,7 @@ from .._units import MODULUS, STIFFNESS, WORK_OF_ADHESION, dimensions
 from ..adhesion import RateAdhesion
 from ..loop import CONTROLS, RULES
 from .field import NOT_NEGATIVE, Field, Table
-from .section import ProblemError, Section
+from .section import Section
 
 _RATE = tuple(
     Field(name, meaning, dimensions(RateAdhesion)[name], optional=name != "exponent", when={} if name == "speed" else {"speed": ()})
@@ -59,7 +59,7 @@ def read_adhesion(section: Section) -> Adhesion:
     has_spring = "spring_stiffness" in section
     control = "spring" if has_spring and "control" not in section else section.value("control")
     if has_spring and control != "spring":
-        raise ProblemError(f'[{section.path}]: spring_stiffness needs control = "spring", not {control!r}. Keep one of them.')
+        raise section.error("control", 'spring_stiffness needs control = "spring"', "Keep one of them")
     spring = section.value("spring_stiffness") if control == "spring" else None
     rule, stress, work = (section.value(key) for key in ("adhesion_rule", "cohesive_stress", "work_of_adhesion"))
     return Adhesion(work, stress, rule, control, spring, _read_rate(section, work))
@@ -72,6 +72,6 @@ def _read_rate(section: Section, work: float) -> RateAdhesion | None:
         return None
     for key in ("speed", "exponent"):
         if key not in given:
-            raise ProblemError(f"[{section.path}]: {[*given][0]} needs the key {key!r}. Give both, or leave both out.")
-    with section.words():
+            raise section.error(key, f"{[*given][0]} needs the key {key!r}", "Give both, or leave both out", shows=False)
+    with section.words(work="work_of_adhesion"):
         return RateAdhesion(work, **given)

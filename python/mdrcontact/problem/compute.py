@@ -13,7 +13,7 @@ from .._units import QUANTITIES, RATIO, Dimension
 from ..contact import Contact, States
 from ..errors import MDRError
 from .field import POSITIVE, Field, Range, Table
-from .section import ProblemError, Section
+from .section import Section
 
 _LISTS = {"depth": "depths", "force": "forces", "radius": "radii"}
 DIMENSIONS = {name: QUANTITIES[name] for name in _LISTS}
@@ -62,10 +62,8 @@ def read_control(section: Section) -> Control:
     starts = [key for key in KNOWN.one_of[0] if key in section]
     if len(starts) != 1:
         said = f"it has {' and '.join(starts) if starts else 'none'}"
-        raise ProblemError(
-            f"[{section.path}]: it needs exactly one of max_depth, max_force, max_radius, depths, forces and radii; {said}. Write "
-            'it as in max_depth = "100 nm".'
-        )
+        rule = f"it needs exactly one of max_depth, max_force, max_radius, depths, forces and radii; {said}"
+        raise section.error(starts[1] if starts else "max_depth", rule, 'Write it as in max_depth = "100 nm"', shows=False)
     key = starts[0]
     if not key.startswith("max_"):
         section.only((key,), f"a list of {key}")
@@ -83,9 +81,6 @@ def _range(section: Section, name: str) -> NDArray[np.float64]:
     if f"min_{name}" in section:
         smallest = section.quantity(f"min_{name}")
     if not 0.0 < smallest <= largest < math.inf:
-        given = " and ".join(f"{key} = {section.plain(key)!r}" for key in (f"min_{name}", f"max_{name}") if key in section)
-        raise ProblemError(
-            f"[{section.path}]: {given}: max_{name} must be greater than 0 and finite, and min_{name} between 0 and max_{name}."
-        )
+        raise section.error(f"min_{name}", f"it must lie between 0 and max_{name} = {section.plain(f'max_{name}')!r}")
     space = np.geomspace if logarithmic else np.linspace
     return space(smallest, largest, points) if points > 1 else np.array([largest])

@@ -48,6 +48,11 @@ class Conducting(NamedTuple):
     heat: tuple[float, float] | None
     """friction coefficient and speed"""
 
+    @property
+    def prefix(self) -> str:
+        """Return the begin of the keys of resistances of this kind."""
+        return "thermal_" if self.kind == THERMAL else ""
+
     def conduction(self, medium: Any) -> Conduction:
         """Return the conduction between the bodies of a medium."""
         lower, upper = (medium.lower, medium.upper) if isinstance(medium, Pair) else (medium, None)
@@ -56,9 +61,8 @@ class Conducting(NamedTuple):
     def _with_interfaces(self, body: Any) -> Any:
         layers = len(body._stack())
         if len(self.interfaces) > layers:
-            raise ProblemError(
-                f"[conduction]: interfaces has {len(self.interfaces)} entries for {layers} layers. Give at most one for each layer."
-            )
+            rule = f"interfaces has {len(self.interfaces)} entries for {layers} layers"
+            raise ProblemError(rule, "Give at most one for each layer", table="conduction", key=f"{self.prefix}interfaces")
         return conducting(body)._with_resistances(self.interfaces) if self.interfaces else body
 
 
@@ -67,9 +71,10 @@ def check_kind(kind: str, table: Any, path: str) -> None:
     other = ELECTRICAL if kind == THERMAL else THERMAL
     for key, value in table.items() if isinstance(table, dict) else ():
         if key.startswith(f"{other}_conductivity"):
-            raise ProblemError(f'[{path}]: {key} does not belong to [conduction] kind = "{kind}". Give {kind}_conductivity.')
-        for one in value if isinstance(value, list) else [value]:
-            check_kind(kind, one, f"{path}.{key}")
+            rule = f'{key} does not belong to [conduction] kind = "{kind}"'
+            raise ProblemError(rule, f"Give {kind}_conductivity", table=path, key=key)
+        for i, one in enumerate(value if isinstance(value, list) else [value], start=1):
+            check_kind(kind, one, f"{path}.{key}{f' {i}' if isinstance(value, list) else ''}")
 
 
 def read_conduction(section: Section) -> Conducting:
@@ -78,14 +83,15 @@ def read_conduction(section: Section) -> Conducting:
     prefix, other = ("thermal_", "") if kind == THERMAL else ("", "thermal_")
     for key in ("film", "interfaces"):
         if f"{other}{key}" in section:
-            raise ProblemError(f"[{section.path}]: {other}{key} does not belong to kind = {kind!r}. Write {prefix}{key}.")
+            rule = f"{other}{key} does not belong to kind = {kind!r}"
+            raise section.error(f"{other}{key}", rule, f"Write {prefix}{key}", shows=False)
     film = section.quantity(f"{prefix}film", 0.0)
     interfaces = tuple(section.quantities(f"{prefix}interfaces")) if f"{prefix}interfaces" in section else ()
     heat = None
     if "speed" in section or "friction_coefficient" in section:
         if kind != THERMAL:
-            raise ProblemError(
-                f'[{section.path}]: speed and friction_coefficient do not belong to kind = "electrical". Leave them out.'
-            )
+            key = "speed" if "speed" in section else "friction_coefficient"
+            rule = 'speed and friction_coefficient do not belong to kind = "electrical"'
+            raise section.error(key, rule, "Leave them out", shows=False)
         heat = section.number("friction_coefficient"), section.quantity("speed")
     return Conducting(kind, film, interfaces, heat)

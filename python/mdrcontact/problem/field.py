@@ -32,6 +32,8 @@ class Range(NamedTuple):
 
 
 POSITIVE, NOT_NEGATIVE = Range(0.0), Range(0.0, has_least=True)
+POISSON = Range(-1.0, 0.5, has_largest=True)
+"""of Poisson's ratio"""
 
 
 class Field(NamedTuple):

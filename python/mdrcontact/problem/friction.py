@@ -72,11 +72,11 @@ def read_friction(section: Section) -> Sliding:
     coefficient = section.value("coefficient")
     given = [key for key in KNOWN.at_most_one_of[0] if key in section]
     if len(given) > 1:
-        raise ProblemError(
-            f"[{section.path}]: {given[0]} and {given[1]} exclude each other. Keep one of shifts, tangential_forces and path."
-        )
+        rule = f"{given[0]} and {given[1]} exclude each other"
+        raise section.error(given[1], rule, "Keep one of shifts, tangential_forces and path", shows=False)
     if given == ["path"]:
-        return Sliding(coefficient, "shift", (), _read_path(section))
+        with section.about("path"):
+            return Sliding(coefficient, "shift", (), _read_path(section))
     section.only(("coefficient", "shifts", "tangential_forces"), "cycles without a path")
     if not given:
         return Sliding(coefficient, "shift", ())
@@ -112,9 +112,8 @@ def _column(
     named = [kind for kind in kinds if there[kind]]
     first, second = kinds
     if key not in section and len(named) > 1:
-        raise ProblemError(
-            f'{table.path}: it has both {first} and {second}. Choose the prescribed one, as in [{section.path}] {key} = "{first}".'
-        )
+        remedy = f'Choose the prescribed one, as in [{section.path}] {key} = "{first}"'
+        raise ProblemError(f"it has both {first} and {second}", remedy, file=str(table.path)).at(section.path, key)
     kind = section.choice(key, kinds, default=named[0] if named else first)
     dimension, aliases = kinds[kind]
     if not there[kind]:

@@ -69,12 +69,13 @@ def _read_path(section: Section) -> HistoryPath:
     keys = KNOWN.keys_of("path", kind)
     if kind == "file":
         section.only(keys, 'path = "file"')
-        return _from_file(section)
+        with section.about("file"):
+            return _from_file(section)
     given = [name for name in DIMENSIONS if name in section]
     if len(given) != 1:
-        raise ProblemError(
-            f'[{section.path}]: give exactly one of depth, force and radius, the largest value, as in depth = "200 nm".'
-        )
+        key = given[1] if given else "depth"
+        rule = f"it needs exactly one of depth, force and radius, the largest value; it has {' and '.join(given) or 'none'}"
+        raise section.error(key, rule, 'Write it as in depth = "200 nm"', shows=False)
     name = given[0]
     section.only([key for key in keys if key == name or key not in DIMENSIONS], f"path = {kind!r}")
     largest, points = section.value(name), section.value("points")
@@ -93,10 +94,7 @@ def _read_path(section: Section) -> HistoryPath:
     if "retract_to" in section:
         end_of_fall = section.quantity("retract_to")
         if name != "depth" or "fall_time" not in section or not end_of_fall < largest:
-            raise ProblemError(
-                f"[{section.path}]: retract_to = {section.plain('retract_to')!r}: it must be less than the largest depth. "
-                "Give depth and fall_time with it."
-            )
+            raise section.error("retract_to", "it must be less than the largest depth", "Give depth and fall_time with it")
     for key, end in (("hold_time", largest), ("fall_time", end_of_fall)):
         if key in section:
             times.append(times[-1] + section.value(key))
@@ -117,7 +115,8 @@ def _from_file(section: Section) -> HistoryPath:
     table = section.table("file", "path.csv")
     control = section.value("control")
     title = str(section.plain("time")) if "time" in section else table.find("time", ROLES["time"][1], TIME)
-    time, _ = table.column(title, TIME)
+    with section.about("time" if "time" in section else "file"):
+        time, _ = table.column(title, TIME)
     values, _ = table.column(table.find(control, ROLES[control][1], DIMENSIONS[control]), DIMENSIONS[control])
     whole = np.isfinite(time) & np.isfinite(values)
     if not whole.any():

@@ -26,10 +26,8 @@ from ..material import _ENGINEERING, RIGID, SMOOTH, Conductor, Elastic, PowerLaw
 from ..medium.layer import SLIDING, Interface
 from ..medium.models import _WEIGHT_NU, MODELS, OPTIONS
 from ..poroelastic import Poroelastic
-from .field import NOT_NEGATIVE, POSITIVE, Field, Range, Table, arguments
-from .section import ProblemError, Section
-
-_POISSON = Range(-1.0, 0.5, has_largest=True)
+from .field import NOT_NEGATIVE, POISSON, POSITIVE, Field, Range, Table, arguments
+from .section import Section
 
 
 def _elastic(
@@ -89,7 +87,7 @@ _MATERIAL_DIMENSIONS: Mapping[str, Dimension] = {
 _CRYSTALS = tuple(CRYSTALS)
 _CONSTANTS = (
     Field("E", "Young's modulus", range=POSITIVE),
-    Field("nu", "Poisson's ratio; of a gel that of the drained body", range=_POISSON),
+    Field("nu", "Poisson's ratio; of a gel that of the drained body", range=POISSON),
     Field("C11", "stiffness in the plane", range=POSITIVE),
     Field("C12", "stiffness between both directions in the plane"),
     Field("C13", "stiffness between plane and axis"),
@@ -250,7 +248,7 @@ _GRADIENTS = {"graded": medium.Graded, "power-law-graded": medium.PowerLawGraded
 _OF_GRADIENTS = (
     Field("z", "depths, from 0, ascending"),
     Field("E", "Young's moduli at these depths", range=POSITIVE),
-    Field("nu", "Poisson's ratio; of a graded medium one number or one for each depth", range=_POISSON),
+    Field("nu", "Poisson's ratio; of a graded medium one number or one for each depth", range=POISSON),
     Field("E0", "Young's modulus at depth z0", range=POSITIVE),
     Field("z0", "reference depth", range=POSITIVE),
     Field("exponent", "m of E = E0 (z/z0)^m", range=Range(-1.0, 1.0)),
@@ -280,7 +278,7 @@ def read_medium(section: Section, indenter: Section) -> medium.Medium:
     body = _read_body(section)
     upper: medium.Medium | None = None
     if "material" in indenter and "body" in indenter:
-        raise ProblemError(f"[{indenter.path}]: material and body exclude each other. Keep one.")
+        raise indenter.error("body", "material and body exclude each other", "Keep one", shows=False)
     if "material" in indenter:
         upper = medium.Homogeneous(read_material(indenter.value("material")))
     if "body" in indenter:
@@ -297,7 +295,8 @@ def _read_body(section: Section) -> medium.Medium:
     tables = [key for key in keys if KNOWN.field(key).table is not None]
     for key in LAYER:
         if tables and key not in keys and key in section:
-            raise ProblemError(f"[{section.path}]: {key} is a key of another table. Write it in [{section.path}.{tables[0]}].")
+            remedy = f"Write it in [{section.path}.{tables[0]}]"
+            raise section.error(key, f"{key} is a key of another table", remedy, shows=False)
     section.only(keys, f"a medium of type {kind!r}")
     with section.words():
         return _TYPES[kind](section)

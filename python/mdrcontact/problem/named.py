@@ -7,7 +7,9 @@ it, by name. No error repeats the contents of a file that a problem names.
 
 from __future__ import annotations
 
+import copy
 import os
+import re
 import stat
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping
@@ -19,6 +21,11 @@ from ..errors import ArgumentTypeError, InvalidArgumentError
 LARGEST_FILE = 200_000_000
 """Largest size of a file [bytes]."""
 IRREGULAR = "not a file. Name a regular file"
+_LONGEST = 300
+"""Longest text of a value in an error."""
+_STEP = re.compile(r'"[^"]*"|[^."]+')
+"""A step of the name of a table."""
+_NUMBERED = re.compile(r" \d+$")
 _NO_WAIT = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 
 Given = Mapping[str, "bytes | str | os.PathLike[str]"] | Iterable["str | os.PathLike[str]"]
@@ -26,18 +33,71 @@ Given = Mapping[str, "bytes | str | os.PathLike[str]"] | Iterable["str | os.Path
 
 
 class ProblemError(InvalidArgumentError):
-    """Raised for an error in a problem file. The message has the place, the rule and the remedy."""
+    """Raised for an error in a problem file. The message has the attributes: the place, the value, the rule and the remedy."""
+
+    def __init__(
+        self, rule: str, remedy: str = "", *, table: str = "", key: str = "", entry: int = 0, value: Any = None, file: str = ""
+    ) -> None:
+        self.rule, self.remedy = rule, remedy
+        self.table, self.key, self.entry = table, key, entry
+        """as in "medium.layer 2" and "E"; number of the entry of a list, from 1; empty or 0: the error has none"""
+        self.value = value
+        """as the file has it; None: the key is absent"""
+        self.file = file
+        what = f"{key} = {_short(value)}: " if key and value is not None else ""
+        entry_of = f"entry {entry} of " if entry and what else ""
+        sentences = f"{_ended(rule)} {_ended(remedy)}" if remedy else rule if not what else _ended(rule)
+        super().__init__("".join([f"{file}: " if file else "", f"[{table}]: " if table else "", entry_of, what, sentences]))
+
+    def within(self, file: object) -> ProblemError:
+        """Return the error with the name of its file."""
+        found = copy.copy(self)
+        found.file = str(file)
+        found.args = (f"{file}: {self}",)
+        return found
+
+    def at(self, table: str, key: str) -> ProblemError:
+        """Give the error its place, and return it; the message stays."""
+        self.table, self.key = table, key
+        return self
+
+    @property
+    def path(self) -> tuple[str | int, ...]:
+        """Return the path of its value for `mdrcontact.problem.edit`: ("medium", "layer", 1, "E")."""
+        steps: list[str | int] = [*([self.key] if self.key else []), *([self.entry - 1] if self.entry else [])]
+        above = self.table
+        while above:
+            above, name, number = last_of(above)
+            steps = [name, *([number - 1] if number else []), *steps]
+        return tuple(steps)
 
 
 class ContentError(ProblemError):
     """Raised with a message that repeats contents of a file of the user; `without` is the message for other files."""
 
-    def __init__(self, words: str, without: str) -> None:
+    def __init__(self, words: str, without: str = "") -> None:
         super().__init__(words)
         self.without = without
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (str(self), self.without)
+
+def last_of(table: str) -> tuple[str, str, int]:
+    """Return the name of the table around a table, its own name, and its number among its like or 0."""
+    last = _STEP.findall(table)[-1]
+    name, _, number = (last, "", "") if last.startswith('"') or not _NUMBERED.search(last) else last.rpartition(" ")
+    return table.removesuffix(last).removesuffix("."), name.strip('"'), int(number or 0)
+
+
+def _ended(sentence: str) -> str:
+    return sentence if sentence.endswith((".", "?")) else f"{sentence}."
+
+
+def _short(value: Any) -> str:
+    """Return a value as the file has it, cut if it is long."""
+    try:
+        words = repr(value)
+    except ValueError:  # an integer of thousands of digits
+        return "a number of thousands of digits"
+    return words if len(words) <= _LONGEST else f"{words[:_LONGEST]}..."
 
 
 class NamedFile(NamedTuple):
@@ -94,8 +154,8 @@ class Files(ABC):
     """The files that a problem may name."""
 
     @abstractmethod
-    def find(self, where: str, name: str) -> NamedFile:
-        """Return the file of a name. where : the key that names it, for errors"""
+    def find(self, name: str) -> NamedFile:
+        """Return the file of a name."""
 
 
 class Folder(Files):
@@ -104,7 +164,7 @@ class Folder(Files):
     def __init__(self, folder: Path) -> None:
         self._folder = folder
 
-    def find(self, where: str, name: str) -> NamedFile:
+    def find(self, name: str) -> NamedFile:
         place = self._folder / name
         return NamedFile(place, place)
 
@@ -133,9 +193,9 @@ class GivenFiles(Files):
             twice = next(name for name in self._files if [name for name, _ in pairs].count(name) > 1)
             raise InvalidArgumentError(f"files: two have the name {twice!r}. Give a dict with a name for each.")
 
-    def find(self, where: str, name: str) -> NamedFile:
+    def find(self, name: str) -> NamedFile:
         if name not in self._files:
             those = f"the given files: {', '.join(self._files)}" if self._files else "the given files. There are none"
-            raise ProblemError(f"{where} = {name!r}: it is not among {those}.")
+            raise ProblemError(f"it is not among {those}.")
         found = self._files[name]
         return NamedFile(Path(name), None, found) if isinstance(found, bytes) else NamedFile(Path(name), found)

@@ -27,20 +27,14 @@ Strengths = dict[str, list[float | None]]
 
 def read_strength(section: Section) -> Strengths:
     """Return the strengths for `Contact.first_failure` in SI units; None for "none"."""
-    strengths = {}
+    strengths: Strengths = {}
     for key in KNOWN:
         if key not in section:
             continue
         values = section.plain(key)
         if not isinstance(values, list):
-            raise ProblemError(
-                f'[{section.path}]: {key} = {values!r}: it must be a list, top to bottom. Write it as in {key} = ["3 GPa", "none"].'
-            )
-        known = [Section({key: value}, section.path, KNOWN).quantity(key) if value != "none" else None for value in values]
-        for value, number in zip(values, known, strict=True):
-            if number is not None and not number > 0.0:
-                raise ProblemError(f'[{section.path}]: {key} = {value!r}: a strength must be greater than 0, or "none".')
-        strengths[key] = known
+            raise section.error(key, "it must be a list, top to bottom", f'Write it as in {key} = ["3 GPa", "none"]')
+        strengths[key] = [None if value == "none" else section.entry(key, i) for i, value in enumerate(values, start=1)]
     if not strengths:
-        raise ProblemError(f"[{section.path}]: it is empty. Give at least one of {', '.join(KNOWN)}.")
+        raise ProblemError("it is empty", f"Give at least one of {', '.join(KNOWN)}", table=section.path)
     return strengths

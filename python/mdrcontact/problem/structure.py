@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -12,16 +13,16 @@ from numpy.typing import NDArray
 from .. import lateral
 from .._units import LENGTH, MODULUS, RATIO
 from ..material import Elastic
-from .field import POSITIVE, Field, Range, Table
-from .named import IRREGULAR, Folder, reason_of
-from .section import ProblemError, Section
-from .toml import parse_file
+from .field import POISSON, POSITIVE, Field, Range, Table
+from .named import IRREGULAR, Files, Folder, Given, GivenFiles, reason_of
+from .section import WHOLE, ProblemError, Section
+from .toml import parse_file, parse_text
 
 _PHASE = Table(
     "a phase; the first one also fills the body below the array",
     (
         Field("E", "Young's modulus", MODULUS, range=POSITIVE),
-        Field("nu", "Poisson's ratio", RATIO, range=Range(-1.0, 0.5, has_largest=True)),
+        Field("nu", "Poisson's ratio", RATIO, range=POISSON),
     ),
 )
 STRUCTURE = Table(
@@ -92,17 +93,56 @@ def load_map(path: str | Path) -> MapProblem:
     """
     path = Path(path)
     try:
-        return _problem(parse_file(path), path)
+        return _problem(parse_file(path), path.stem, Folder(path.parent))
     except ProblemError as problem:
-        raise ProblemError(f"{path}: {problem}") from problem
+        raise problem.within(path) from problem
 
 
-def _problem(table: dict[str, Any], path: Path) -> MapProblem:
-    whole = Section(table, "the file", KNOWN)
+def read_map_text(text: str, title: str = "", files: Given = ()) -> MapProblem:
+    """Read the text of a map file from another source.
+
+    Parameters
+    ----------
+    text
+        The text. It may only name files that are given with it.
+    title
+        The title, if the text has none.
+    files
+        A dict from names of files to contents (bytes) or paths, or a list of paths.
+
+    Returns
+    -------
+    MapProblem
+        Its contents, in SI units.
+
+    Raises
+    ------
+    ProblemError
+        If the text is wrong, or names a file that is not given.
+
+    Examples
+    --------
+    >>> import io
+    >>> import numpy as np
+    >>> from mdrcontact.problem import read_map_text
+    >>> labels = io.BytesIO()
+    >>> np.save(labels, np.zeros((2, 4, 4), dtype=int))
+    >>> text = '''
+    ... map = { radii = ["1 um"] }
+    ... structure = { labels = "labels.npy", spacing = ["1 um", "1 um", "1 um"], phase = [{ E = "3 GPa", nu = 0.35 }] }
+    ... '''
+    >>> read_map_text(text, files={"labels.npy": labels.getvalue()}).radii
+    array([1.e-06])
+    """
+    return _problem(parse_text(text), title, GivenFiles(files))
+
+
+def _problem(table: dict[str, Any], title: str, files: Files) -> MapProblem:
+    whole = Section(table, WHOLE, KNOWN)
     for name in ("structure", "map"):
         if name not in whole:
-            raise ProblemError(f"the table [{name}] is missing. A map file needs [structure] and [map].")
-    structure = Section(table["structure"], "structure", STRUCTURE, Folder(path.parent))
+            raise ProblemError(f"the table [{name}] is missing", "A map file needs [structure] and [map]", key=name)
+    structure = Section(table["structure"], "structure", STRUCTURE, files)
     phases = []
     for section in structure.value("phase"):
         with section.words():
@@ -114,24 +154,26 @@ def _problem(table: dict[str, Any], path: Path) -> MapProblem:
             beside="periodic" if beside == "periodic" else phases[0],
             exponent=structure.value("exponent"),
         )  # fmt: skip
-    radii = np.array(Section(table["map"], "map", MAP).quantities("radii"))
-    if not radii.size or not np.all(radii > 0.0):
-        raise ProblemError(f"[map]: radii = {radii.tolist()!r} m: they must be at least one length, each greater than 0.")
-    return MapProblem(str(whole.plain("title", path.stem)), voxels, radii)
+    section = Section(table["map"], "map", MAP)
+    radii = np.array(section.quantities("radii"))
+    if not radii.size:
+        raise section.error("radii", "it needs at least one length", 'Write it as in radii = ["1 um"]')
+    return MapProblem(str(whole.plain("title", title)), voxels, radii)
 
 
 def _labels(structure: Section) -> Any:
     file = structure.file("labels", "a file", "labels.npy")
-    words = f"[structure]: labels = {file.path.name!r}: it cannot be read as a NumPy array (.npy)"
-    assert file.place is not None
+    words = "it cannot be read as a NumPy array (.npy)"
     try:
+        if file.place is None:
+            return np.lib.format.read_array(io.BytesIO(file.given), allow_pickle=False)
         with file.open():
             # a memory map: slices are read on demand
             return np.lib.format.open_memmap(file.place, mode="r")
     except OSError as problem:
-        raise ProblemError(f"{words}: {reason_of(problem)}") from None
+        raise structure.error("labels", f"{words}: {reason_of(problem)}") from None
     except (ValueError, EOFError) as problem:
         # the message of NumPy repeats the begin of the file
-        raise ProblemError(
-            f"{words}: {problem if str(problem).endswith(IRREGULAR) else 'it is no such array. Write it with numpy.save'}."
-        ) from None
+        is_irregular = str(problem).endswith(IRREGULAR)
+        rule = f"{words}: {problem if is_irregular else 'it is no such array'}"
+        raise structure.error("labels", rule, "" if is_irregular else "Write it with numpy.save") from None

@@ -13,6 +13,10 @@ from .section import ProblemError, Section
 from .toml import parse_named
 
 
+def _error(rule: str, remedy: str = "") -> ProblemError:
+    return ProblemError(f"file {rule}", remedy, table="indenter", key="file")
+
+
 def with_calibration(table: dict[str, Any], files: Files) -> dict[str, Any]:
     """Return the tables of a problem file with [indenter] file = "tip.toml" replaced by the contents of that file.
 
@@ -26,19 +30,18 @@ def with_calibration(table: dict[str, Any], files: Files) -> dict[str, Any]:
     try:
         found = parse_named(file)
     except ProblemError as problem:
-        raise ProblemError(f"[indenter]: file {problem}") from problem
+        raise _error(str(problem)) from problem
     if not isinstance(found.get("indenter"), dict):
-        raise ProblemError(f"[indenter]: file {file.path}: it has no table [indenter]. Write the file with mdrcontact calibrate.")
+        raise _error(f"{file.path}: it has no table [indenter]", "Write the file with mdrcontact calibrate")
     twice = [key for key in indenter if key not in ("file", "material", "body")]
     if twice:
-        raise ProblemError(f"[indenter]: {twice[0]} is also in the file {file.path}. Keep one.")
+        raise ProblemError(f"{twice[0]} is also in the file {file.path}", "Keep one", table="indenter", key=twice[0])
     try:
         read_indenter(Section(found["indenter"], "indenter", KNOWN))
     except MDRError:
         # its message would repeat the contents of a file that need not be one of a tip
-        raise ProblemError(
-            f"[indenter]: file {file.path}: its table [indenter] is not a tip. Copy it into the problem file to see the error."
-        ) from None
+        rule = f"{file.path}: its table [indenter] is not a tip"
+        raise _error(rule, "Copy it into the problem file to see the error") from None
     changed = dict(table)
     changed["indenter"] = {**found["indenter"], **{key: value for key, value in indenter.items() if key != "file"}}
     prior = found.get("calibration")

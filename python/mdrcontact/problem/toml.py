@@ -43,9 +43,9 @@ def parse_named(file: NamedFile) -> dict[str, Any]:
     try:
         return parse_text(_text(content))
     except ContentError as problem:
-        raise ProblemError(f"{file.path}: {problem.without}") from None
+        raise ProblemError(problem.without, file=str(file.path)) from None
     except ProblemError as problem:
-        raise ProblemError(f"{file.path}: {problem}") from problem
+        raise problem.within(file.path) from problem
 
 
 def _text(content: bytes) -> str:

@@ -114,14 +114,16 @@ def _without(section: Section, path: Path, tables: list[MeasuredTable]) -> list[
     """The tests that [data] does not leave out."""
     names = section.plain("leave_out", [])
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
-        raise ProblemError('[data]: leave_out must be a list of tests, as in leave_out = ["Test 3"]')
+        raise section.error("leave_out", "it must be a list of tests", 'Write it as in leave_out = ["Test 3"]')
     known = [table.name for table in tables]
     for name in names:
         if name not in known:
-            raise ProblemError(f"{path}: [data] leave_out: there is no test {name!r}: {nearest(name, known)}")
+            raise ProblemError(f"{path}: [data] leave_out: there is no test {name!r}: {nearest(name, known)}").at(
+                "data", "leave_out"
+            )
     kept = [table for table in tables if table.name not in names]
     if not kept:
-        raise ProblemError(f"{path}: [data] leave_out leaves no test")
+        raise ProblemError(f"{path}: [data] leave_out leaves no test").at("data", "leave_out")
     if names:
         kept[0].notes.append(f"{len(tables) - len(kept)} of {len(tables)} tests are left out: {', '.join(names)}")
     return kept
@@ -191,7 +193,8 @@ def _afm_facts(one: AfmCurve) -> tuple[Fact, ...]:
 def _read_afm_curve(section: Section, path: Path, one: AfmCurve) -> tuple[Data, list[str]]:
     kind = section.value("kind")
     if kind not in RECORDS:
-        raise ProblemError(f"{path}: an AFM file holds curves of force: kind must be 'force-depth', not {kind!r}")
+        rule = f"{path}: an AFM file holds curves of force: kind must be 'force-depth', not {kind!r}"
+        raise ProblemError(rule).at("data", "kind")
     return data_of(section, Cantilever(None, one.spring_constant), _afm_record(one), kind)
 
 

@@ -83,11 +83,14 @@ def check(section: Section) -> None:
     section.only(KNOWN.keys_of("kind", kind), f"kind = {kind!r}")
     for group in KNOWN.at_most_one_of:
         if len(given := [key for key in group if key in section]) > 1:
-            raise ProblemError(f"[data]: {given[0]} and {given[1]}: both are the same quantity. Keep one of them")
+            rule = f"{given[0]} and {given[1]}: both are the same quantity"
+            raise section.error(given[1], rule, "Keep one of them", shows=False)
     if "time" in section and kind in RECORDS and kind not in IN_TIME and "drift" not in section:
-        raise ProblemError(f"[data]: kind = {kind!r} reads a time for drift alone: give drift, or leave time out")
+        rule = f"kind = {kind!r} reads a time for drift alone"
+        raise section.error("time", rule, "Give drift, or leave time out", shows=False)
     if "thickness" in section and "radius_over_thickness" not in section:
-        raise ProblemError("[data]: thickness goes with radius_over_thickness, the column that counts in thicknesses")
+        rule = "thickness goes with radius_over_thickness, the column that counts in thicknesses"
+        raise section.error("thickness", rule, shows=False)
 
 
 def read_data(section: Section, cantilever: Cantilever, table: MeasuredTable, kind: str) -> tuple[Data, list[str]]:
@@ -98,21 +101,22 @@ def read_data(section: Section, cantilever: Cantilever, table: MeasuredTable, ki
         record = record_of(section, cantilever, table, kind)
         return data_of(section, _with_facts(cantilever, table.facts), record, kind)
     except ProblemError as problem:
-        words = str(problem)
-        raise problem if words.startswith((str(table.path), "[")) else ProblemError(f"{table.path}: {words}") from problem
+        raise problem if str(problem).startswith((str(table.path), "[")) else problem.within(table.path) from problem
 
 
 def table_options(section: Section) -> TableOptions:
     """Properties of a table that [data] states and the table does not contain."""
     columns = section.plain("columns", [])
     if not isinstance(columns, list) or not all(isinstance(title, str) and title for title in columns):
-        raise ProblemError('[data]: columns must be a list of titles, as in columns = ["depth [nm]", "load [mN]"]')
+        remedy = 'Write it as in columns = ["depth [nm]", "load [mN]"]'
+        raise section.error("columns", "it must be a list of titles", remedy)
     units = section.plain("units", {})
     if not isinstance(units, dict) or not all(isinstance(unit, str) for unit in units.values()):
-        raise ProblemError('[data]: units must be a table of units by title, as in units = { Depth = "nm" }')
+        remedy = 'Write it as in units = { Depth = "nm" }'
+        raise section.error("units", "it must be a table of units by title", remedy)
     skip = section.plain("skip", 0)
     if isinstance(skip, bool) or not isinstance(skip, int) or skip < 0:
-        raise ProblemError(f"[data]: skip = {skip!r}: it must be a number of lines, at least 0")
+        raise section.error("skip", "it must be a number of lines, at least 0")
     sheet = str(section.plain("sheet", ""))
     decimal = section.value("decimal") or ""
     return TableOptions(tuple(columns), units, skip, sheet, decimal)
@@ -127,7 +131,8 @@ def column(section: Section, table: MeasuredTable, role: str) -> _Column:
         title = table.find("deflection", ROLES["deflection"][1], FORCE)
     else:
         title = table.find(role, aliases, dimension)
-    values, unit = table.column(title, dimension)
+    with section.about(role):
+        values, unit = table.column(title, dimension)
     return _Column(title, unit, values, dimension)
 
 
@@ -157,7 +162,8 @@ def _sd(section: Section, table: MeasuredTable, role: str, found: _Found) -> Arr
     if "sd" not in section:
         return None
     title = str(section.plain("sd"))
-    values, unit = table.column(title, ROLES[role][0])
+    with section.about("sd"):
+        values, unit = table.column(title, ROLES[role][0])
     found["standard deviation"] = _Column(title, unit, values, ROLES[role][0])
     return values
 
@@ -172,9 +178,9 @@ def _between(section: Section, values: Mapping[str, Array]) -> NDArray[np.bool_]
             keep &= ~((values[role] < low) | (values[role] > high))
             if not keep.any():
                 ends = " to ".join(shown(float(v), LENGTH) for v in (np.nanmin(values[role]), np.nanmax(values[role])))
-                raise ProblemError(
-                    f"[data]: no reading lies between min_{role} and max_{role}: the {role} runs from {ends}: check the units"
-                )
+                key = f"min_{role}" if not (values[role] >= low).any() else f"max_{role}"
+                rule = f"no reading lies between min_{role} and max_{role}: the {role} runs from {ends}"
+                raise section.error(key, rule, "Check the units", shows=False)
     return keep
 
 
@@ -184,7 +190,8 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
     for role in roles:
         if role == "radius" and "radius_over_thickness" in section:
             title = str(section.plain("radius_over_thickness"))
-            ratio, _ = table.column(title, RATIO)
+            with section.about("radius_over_thickness"):
+                ratio, _ = table.column(title, RATIO)
             found[role] = _Column(title, "thicknesses", ratio * section.quantity("thickness"), LENGTH)
         elif role == "radius" and "contact_radius" in section:
             radius = np.full(len(found["omega"].values), section.quantity("contact_radius"))
@@ -291,10 +298,8 @@ def record_of(section: Section, cantilever: Cantilever, table: MeasuredTable, ki
     sd = _sd(section, table, "depth" if kind == "depth-time" else "force", found)
     if "deflection" in section and "deflection" not in found:
         read = ", ".join(f"{role} {one.title!r}" for role, one in found.items())
-        raise ProblemError(
-            f"[data]: deflection is not read, as the table has {read}: leave it out, or name the height of the piezo instead of a "
-            "depth"
-        )
+        rule = f"deflection is not read, as the table has {read}"
+        raise section.error("deflection", rule, "Leave it out, or name the height of the piezo instead of a depth", shows=False)
     _check_units(section, table, found)
     _check_cantilever(cantilever, table, found)
     record = Record(
@@ -317,26 +322,21 @@ def _check_units(section: Section, table: MeasuredTable, found: _Found) -> None:
     used = [table.own(one.title) for one in found.values()]
     for title in section.plain("units", {}):
         if table.own(title) not in used:
-            raise ProblemError(
-                f"[data] units: the column {title!r} is not read: leave its unit out, or name its role, as in {next(iter(found))} "
-                f'= "{title}"'
-            )
+            rule = f"the column {title!r} of units is not read"
+            remedy = f'Leave its unit out, or name its role, as in {next(iter(found))} = "{title}"'
+            raise section.error("units", rule, remedy, shows=False)
 
 
 def _check_cantilever(cantilever: Cantilever, table: MeasuredTable, found: _Found) -> None:
     """Raise an error for settings of the cantilever that no column needs; those that the file also states may be checked."""
     deflection = found.get("deflection")
     if cantilever.deflection_sensitivity is not None and (deflection is None or deflection.dimension is not VOLTAGE):
-        raise ProblemError(
-            "[instrument]: deflection_sensitivity belongs to a deflection in volts, and the table gives "
-            f"{', '.join(found)}: leave it out"
-        )
+        rule = f"deflection_sensitivity belongs to a deflection in volts, and the table gives {', '.join(found)}"
+        raise ProblemError(rule, "Leave it out", table="instrument", key="deflection_sensitivity")
     said = any(fact.name == "spring_constant" for fact in table.facts)
     if cantilever.spring_constant is not None and not ("height" in found or deflection is not None or said):
-        raise ProblemError(
-            "[instrument]: spring_constant belongs to a deflection or the height of the piezo, and the table gives "
-            f"{', '.join(found)}: leave it out"
-        )
+        rule = f"spring_constant belongs to a deflection or the height of the piezo, and the table gives {', '.join(found)}"
+        raise ProblemError(rule, "Leave it out", table="instrument", key="spring_constant")
 
 
 def data_of(section: Section, cantilever: Cantilever, record: Record, kind: str) -> tuple[Data, list[str]]:
@@ -371,20 +371,24 @@ def _record_data(section: Section, record: Record, kind: str) -> Data:
         if "upper_part" in section:
             part = section.numbers("upper_part")
             if len(part) != 2:
-                raise ProblemError("[data]: upper_part must be two numbers, as in upper_part = [0.4, 0.98]")
+                raise section.error("upper_part", "it must be two numbers", "Write it as in upper_part = [0.4, 0.98]")
             options["upper_part"] = (part[0], part[1])
         with section.words():
             return Unloading(record.depth, record.force, segments=record.segments, **options)
     relative = section.number("relative_sd") if "relative_sd" in section else None
     if kind in IN_TIME:
         if record.time is None:
-            raise ProblemError(f"kind = {kind!r} needs the time of each reading, which this file does not have")
+            rule = f"kind = {kind!r} needs the time of each reading, which this file does not have"
+            raise ProblemError(rule).at(section.path, "kind")
         with section.words():
             if kind == "force-time":
                 return ForceTime(record.time, record.depth, record.force, sd=record.sd, relative_sd=relative)
             return DepthTime(record.time, record.force, record.depth, sd=record.sd, relative_sd=relative)
     branch = section.value("branch") or "both"
-    return ForceDepth(record.depth, record.force, sd=record.sd, relative_sd=relative, branch=None if branch == "both" else branch)
+    with section.words():
+        return ForceDepth(
+            record.depth, record.force, sd=record.sd, relative_sd=relative, branch=None if branch == "both" else branch
+        )
 
 
 def has_deflection(section: Section, table: MeasuredTable) -> bool:
@@ -395,7 +399,8 @@ def has_deflection(section: Section, table: MeasuredTable) -> bool:
 def _force_of_deflection(section: Section, cantilever: Cantilever, table: MeasuredTable, found: _Found) -> Array:
     """Spring constant times deflection, which the file contains as a length or a voltage."""
     if cantilever.spring_constant is None:
-        raise NoCantilever('a deflection becomes a force by the spring constant: give [instrument] spring_constant = "0.2 N/m"')
+        rule = 'a deflection becomes a force by the spring constant: give [instrument] spring_constant = "0.2 N/m"'
+        raise NoCantilever(rule).at("instrument", "spring_constant")
     try:
         found["deflection"] = column(section, table, "deflection")
         return found["deflection"].values * cantilever.spring_constant
@@ -407,6 +412,7 @@ def _force_of_deflection(section: Section, cantilever: Cantilever, table: Measur
         except (ProblemError, UnitError):
             raise of_length from None
     if cantilever.deflection_sensitivity is None:
-        raise NoCantilever(f'the deflection {title!r} is a voltage: give [instrument] deflection_sensitivity = "50 nm/V"')
+        rule = f'the deflection {title!r} is a voltage: give [instrument] deflection_sensitivity = "50 nm/V"'
+        raise NoCantilever(rule).at("instrument", "deflection_sensitivity")
     found["deflection"] = _Column(title, unit, values, VOLTAGE)
     return values * cantilever.deflection_sensitivity * cantilever.spring_constant

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ..._units import LENGTH, RATIO, SPEED
-from ...problem.field import Field, Table
+from ...problem.field import POISSON, POSITIVE, Field, Range, Table
 from ..fitting.unloading import UPPER_PART
 from ..reading.numerals import MARKS
 from ..records.contact_point import METHODS
@@ -119,6 +119,7 @@ _PREPARED = (
         "rms amplitude of the oscillation; its effect is subtracted",
         LENGTH,
         optional=True,
+        range=POSITIVE,
         when=_of("stiffness-depth"),
     ),
     Field(
@@ -138,9 +139,16 @@ KNOWN = Table(
             for role, (what, when) in _COLUMNS.items()
         ),
         Field("radius_over_thickness", "title of the column: a/h", optional=True, when=_OF_RADIUS, example='"a/h"'),
-        Field("thickness", "thickness h of a/h", LENGTH, when={"radius_over_thickness": ()}),
-        Field("contact_radius", "contact radius of all rows", LENGTH, optional=True, when=_with("omega")),
-        Field("nu", "Poisson's ratio, if the column is E instead of E/(1 - nu^2)", RATIO, optional=True, when=_with("modulus")),
+        Field("thickness", "thickness h of a/h", LENGTH, range=POSITIVE, when={"radius_over_thickness": ()}),
+        Field("contact_radius", "contact radius of all rows", LENGTH, optional=True, range=POSITIVE, when=_with("omega")),
+        Field(
+            "nu",
+            "Poisson's ratio, if the column is E instead of E/(1 - nu^2)",
+            RATIO,
+            optional=True,
+            range=POISSON,
+            when=_with("modulus"),
+        ),
         *_FORMAT,
         Field("sd", "title of the column: standard deviation of the last quantity", optional=True, when=_WITH_SD, example='"sd"'),
         Field(
@@ -148,6 +156,7 @@ KNOWN = Table(
             "standard deviation divided by the value; default: estimated from the misfit",
             RATIO,
             optional=True,
+            range=Range(0.0, 1.0),
             when=_WITH_SD,
             example="0.01",
         ),

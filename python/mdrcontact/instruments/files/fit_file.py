@@ -18,7 +18,7 @@ from ...poroelastic import is_poroelastic
 from ...problem import indenter as indenters
 from ...problem import medium as mediums
 from ...problem.named import Folder, Given, GivenFiles
-from ...problem.section import ProblemError, Section
+from ...problem.section import WHOLE, ProblemError, Section
 from ...problem.tip_file import with_calibration
 from ...problem.toml import parse_file, parse_text
 from ...progress import Progress
@@ -244,7 +244,7 @@ def load_fit_file(path: str | Path) -> FitFile:
     try:
         return _read(with_calibration(parse_file(path), Folder(path.parent)), path.stem)
     except ProblemError as problem:
-        raise ProblemError(f"{path}: {problem}") from problem
+        raise problem.within(path) from problem
 
 
 def fit_file_of_text(text: str, title: str = "", files: Given = ()) -> FitFile:
@@ -292,13 +292,14 @@ def fit_file_of_text(text: str, title: str = "", files: Given = ()) -> FitFile:
 def _read(table: dict[str, Any], title: str) -> FitFile:
     if "adhesion" in table:
         raise ProblemError(
-            "[adhesion]: a fit takes adhesion from the instrument. Write work_of_adhesion in [instrument], and name it in [fit] "
-            "free to find it."
+            "a fit takes adhesion from the instrument",
+            "Write work_of_adhesion in [instrument], and name it in [fit] free to find it",
+            table="adhesion",
         )
-    whole = Section(table, "the file", schema.FIT)
+    whole = Section(table, WHOLE, schema.FIT)
     for name in ("indenter", "medium", "data", "fit"):
         if name not in table:
-            raise ProblemError(f"the table [{name}] is missing: a fit has [indenter], [medium], [data] and [fit]")
+            raise ProblemError(f"the table [{name}] is missing", "A fit has [indenter], [medium], [data] and [fit]", key=name)
     shape = Section(table["indenter"], "indenter", indenters.KNOWN)
     body = mediums.read_medium(Section(table["medium"], "medium", mediums.KNOWN), shape)
     of_instrument = Section(table.get("instrument", {}), "instrument", schema.INSTRUMENT)
@@ -311,7 +312,7 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
     else:
         fit.only([key for key in schema.OPTIONS if key != "drainage"], "a body without a fluid")
         if "contact_weight_rule" in fit and "contact_weight" not in fit:
-            raise ProblemError("[fit]: contact_weight_rule needs contact_weight. Give both, or leave it out")
+            raise fit.error("contact_weight", "contact_weight_rule needs contact_weight", "Give both, or leave it out", shows=False)
         names = pattern_of(tip, body, instrument).names
         options = {key: fit.value(key) for key in schema.TAKEN if key in fit}
         if "joint_prior" in fit:
@@ -330,10 +331,11 @@ def _read_gel(fit: Section, instrument: Instrument) -> tuple[dict[str, Free], st
     """Free numbers and drainage of a gel."""
     fit.only(("free", "drainage"), "a poroelastic gel")
     if instrument != Instrument():
-        raise ProblemError("[instrument]: fits of gels take data without offsets and compliances: leave the table out")
+        raise ProblemError("fits of gels take data without offsets and compliances", "Leave the table out", table="instrument")
     free = fit.plain("free") if "free" in fit else None
     if not isinstance(free, list) or not free or any(name not in GEL_NAMES for name in free):
-        raise ProblemError(f'[fit]: free must name numbers of the gel, of {", ".join(GEL_NAMES)}, as in free = ["diffusivity"]')
+        rule = f"free must name numbers of the gel, of {', '.join(GEL_NAMES)}"
+        raise fit.error("free", rule, 'Write it as in free = ["diffusivity"]', shows=False)
     return {name: Free() for name in free}, fit.choice("drainage", schema.OPTIONS.field("drainage").choices)
 
 
@@ -349,16 +351,19 @@ def _read_free(fit: Section, names: list[str]) -> dict[str, Free]:
     if isinstance(given, list) and given and all(isinstance(name, str) for name in given):
         given = {name: {} for name in given}
     if not isinstance(given, dict) or not given:
-        raise ProblemError('[fit]: free must name parameters, as in free = ["coating.E"], or be a table [fit.free]')
+        remedy = 'Write it as in free = ["coating.E"], or as a table [fit.free]'
+        raise fit.error("free", "free must name parameters", remedy, shows=False)
     free = {}
     for name, entry in given.items():
         known = [n for n in names if n]
         if name not in known:
-            raise ProblemError(f"[fit.free]: {name!r} is not a parameter of this problem: {nearest(name, known)}")
+            rule = f"{name!r} is not a parameter of this problem: {nearest(name, known)}"
+            raise ProblemError(rule, table="fit", key="free")
         section = Section(entry, f'fit.free."{name}"', dict.fromkeys(schema.FREE, dimension_of(name)))
         value = section.given(schema.FREE)
         if ("prior" in value) != ("prior_sd" in value):
-            raise ProblemError(f"[{section.path}]: prior and prior_sd belong together: give both or none")
+            key = "prior_sd" if "prior" in value else "prior"
+            raise section.error(key, "prior and prior_sd belong together", "Give both or none", shows=False)
         prior = (value.pop("prior"), value.pop("prior_sd")) if "prior" in value else None
         with section.words():
             free[name] = Free(**value, prior=prior)
@@ -369,26 +374,29 @@ def _read_joint_prior(section: Section, names: list[str]) -> JointPrior:
     """Joint prior of several parameters: values and standard deviations with units, and their correlation."""
     chosen = section.plain("names")
     if not isinstance(chosen, list) or not chosen:
-        raise ProblemError(f'[{section.path}]: names must be a list of parameters, as in names = ["indenter.C0", "indenter.C1"]')
+        remedy = 'Write it as in names = ["indenter.C0", "indenter.C1"]'
+        raise section.error("names", "names must be a list of parameters", remedy, shows=False)
     for name in chosen:
         if not name or name not in names:
-            raise ProblemError(
-                f"[{section.path}]: {name!r} is not a parameter of this problem: {nearest(str(name), [n for n in names if n])}"
-            )
+            rule = f"{name!r} is not a parameter of this problem: {nearest(str(name), [n for n in names if n])}"
+            raise section.error("names", rule, shows=False)
     if len(set(chosen)) < len(chosen):
-        raise ProblemError(f"[{section.path}]: names contains a parameter twice. Name each parameter once")
+        raise section.error("names", "names contains a parameter twice", "Name each parameter once", shows=False)
     columns = []
     for key in ("values", "sds"):
         given = section.plain(key)
         if not isinstance(given, list) or len(given) != len(chosen):
-            raise ProblemError(f"[{section.path}]: {key} must be a list of {len(chosen)} entries, one for each name")
-        entries = Section(dict(zip(chosen, given, strict=True)), f"{section.path} {key}", {n: dimension_of(n) for n in chosen})
-        columns.append([*entries.given(chosen).values()])
+            raise section.error(key, f"it must be a list of {len(chosen)} entries, one for each name")
+        entries = Section(dict(zip(chosen, given, strict=True)), section.path, {n: dimension_of(n) for n in chosen})
+        try:
+            columns.append([*entries.given(chosen).values()])
+        except ProblemError as problem:
+            raise section.error(key, problem.rule, problem.remedy, chosen.index(problem.key) + 1) from None
     values, sds = columns
     rows = section.plain("correlation", np.eye(len(chosen)))
     try:
         covariance = tuple(tuple(float(c) * a * b for c, b in zip(row, sds, strict=True)) for row, a in zip(rows, sds, strict=True))
     except (TypeError, ValueError) as problem:
-        raise ProblemError(f"[{section.path}]: correlation must be {len(chosen)} rows of {len(chosen)} numbers") from problem
+        raise section.error("correlation", f"it must be {len(chosen)} rows of {len(chosen)} numbers") from problem
     with section.words():
         return JointPrior(tuple(chosen), tuple(values), covariance)

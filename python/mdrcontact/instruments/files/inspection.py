@@ -90,7 +90,7 @@ def given_by(path: Path) -> Given:
         data, tool = Section(whole["data"], "data", KNOWN), Section(whole["instrument"], "instrument", schema.INSTRUMENT)
         return Given(Cantilever(**tool.given(_DIMENSIONS)), {key: data.plain(key) for key in measured.OF_A_TABLE if key in data})
     except ProblemError as problem:
-        raise ProblemError(f"{path}: {problem}") from problem
+        raise problem.within(path) from problem
 
 
 class Test(NamedTuple):

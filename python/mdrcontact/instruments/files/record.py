@@ -185,10 +185,8 @@ def _depth(record: Record) -> Array:
 
 def _subtract_deflection(cantilever: Cantilever, record: Record) -> None:
     if cantilever.spring_constant is None:
-        raise ProblemError(
-            "the height of the piezo becomes a depth by the deflection, force over spring constant: give [instrument] "
-            'spring_constant = "0.2 N/m"'
-        )
+        rule = "the height of the piezo becomes a depth by the deflection, force over spring constant"
+        raise ProblemError(f'{rule}: give [instrument] spring_constant = "0.2 N/m"').at("instrument", "spring_constant")
     assert record.height is not None
     record.depth = depth_from_height(record.height, record.force / cantilever.spring_constant, record.sign)
     record.notes.append("depth from height less deflection; the moduli are proportional to the spring constant")
@@ -196,13 +194,12 @@ def _subtract_deflection(cantilever: Cantilever, record: Record) -> None:
 
 def _subtract_drift(section: Section, record: Record) -> None:
     if record.time is None:
-        raise ProblemError(
-            "[data]: drift needs the time of each reading, and this file has neither times nor one rate of sampling: leave drift "
-            "out, or export depth, force and time as text"
-        )
+        rule = "drift needs the time of each reading, and this file has neither times nor one rate of sampling"
+        raise section.error("drift", rule, "Leave drift out, or export depth, force and time as text", shows=False)
     falls = np.flatnonzero(np.diff(record.time) < 0.0)
     if len(falls):
-        raise ProblemError(f"[data]: drift needs times that rise from reading to reading, and they fall after reading {falls[0]}")
+        rule = f"drift needs times that rise from reading to reading, and they fall after reading {falls[0]}"
+        raise section.error("drift", rule, shows=False)
     depth = _depth(record)
     if section.plain("drift") != "hold":
         rate, error = section.quantity("drift"), 0.0
@@ -210,9 +207,8 @@ def _subtract_drift(section: Section, record: Record) -> None:
         largest = record.force.max()
         holds = [s for s in record.parts()[0] if s.kind == "hold" and np.median(record.force[s.points]) < 0.5 * largest]
         if not holds:
-            raise ProblemError(
-                '[data]: drift = "hold": there is no hold below half of the largest force; give the rate, as in "0.05 nm/s"'
-            )
+            rule = "there is no hold below half of the largest force"
+            raise section.error("drift", rule, 'Give the rate, as in "0.05 nm/s"')
         rate, error = drift_rate(record.time[holds[-1].points], depth[holds[-1].points])
     record.depth = without_drift(record.time, depth, rate)
     whole = rate * float(np.ptp(record.time))
@@ -248,7 +244,7 @@ def _find_zero(section: Section, record: Record, is_raw: bool, kind: str) -> Non
         raise ProblemError(
             f'contact point and baseline cannot be found: {problem}; say contact_point = "given" and baseline = "none" for a '
             "curve that begins in contact"
-        ) from problem
+        ).at(section.path, "contact_point") from problem
     if method == "given":
         return
     zero = float(depth[contact])
@@ -337,7 +333,8 @@ def _choose_branch(section: Section, record: Record) -> None:
             keep[longest.points] = True
     words = f"{words}: {', '.join(f'{s.kind} {s.start}-{s.stop - 1}' for s in segments)}"
     if keep.sum() < 2:
-        raise ProblemError(f"[data]: branch = {branch!r}: the curve has {int(keep.sum())} readings of it; {words}; loading goes up")
+        rule = f"the curve has {int(keep.sum())} readings of branch = {branch!r}; {words}; loading goes up"
+        raise section.error("branch", rule, shows=False)
     record.keep(keep)
     usual = "" if "branch" in section else ', the approach; branch = "both" takes the retract too, where adhesion pulls off'
     record.notes.append(f"{words}; {int(keep.sum())} readings of {branch} are used{usual}")

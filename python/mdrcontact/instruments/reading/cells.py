@@ -185,7 +185,7 @@ def read_sheets(path: Path, content: bytes, skip: int, chosen: str) -> list[Shee
     try:
         sheets = read(content)
         if chosen and chosen not in sheets:
-            raise ProblemError(f"{path}: there is no sheet {chosen!r}: {nearest(chosen, sheets)}")
+            raise ProblemError(f"{path}: there is no sheet {chosen!r}: {nearest(chosen, sheets)}").at("data", "sheet")
         rows = {name: list(sheets[name]()) for name in ([chosen] if chosen else sheets)}
     except ProblemError:
         raise

@@ -218,7 +218,8 @@ def _chosen(path: Path, tables: list[MeasuredTable], name: str) -> list[Measured
     """All tests, or that of a name."""
     found = [table for table in tables if not name or table.name == name]
     if not found:
-        raise ProblemError(f"{path}: there is no test {name!r}: {nearest(name, [table.name for table in tables])}")
+        words = f"{path}: there is no test {name!r}: {nearest(name, [table.name for table in tables])}"
+        raise ProblemError(words).at("data", "sheet")
     return found
 
 
@@ -420,14 +421,16 @@ def _named(cells: Cells, header: Header, width: int, options: TableOptions) -> t
     if options.columns:
         titles, row_of_units = list(map(words, options.columns)), width * [""]
         if len(titles) != width:
-            raise ProblemError(f"{cells.path}: [data] columns names {len(titles)} columns, and the table has {width}")
+            words_of = f"{cells.path}: [data] columns names {len(titles)} columns, and the table has {width}"
+            raise ProblemError(words_of).at("data", "columns")
     else:
         titles, row_of_units = read_header(cells, header, width, {words(title) for title in options.units})
     units = {title: unit for title, unit in zip(titles, row_of_units, strict=True) if unit}
     for given, unit in options.units.items():
         title = words(given)
         if title not in titles:
-            raise ProblemError(f"{cells.path}: [data] units: there is no column {given!r}: {nearest(title, titles)}")
+            words_of = f"{cells.path}: [data] units: there is no column {given!r}: {nearest(title, titles)}"
+            raise ProblemError(words_of).at("data", "units")
         units[title] = unit
     return titles, units
 
