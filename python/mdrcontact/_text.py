@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lists and tables for the screen."""
+"""Lists and tables for the screen and for notebooks."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import itertools
 import math
 import textwrap
 from collections.abc import Iterable, Sequence
+from html import escape
 
 
 def aligned(rows: Sequence[Sequence[str]], left: int | None = None) -> str:
@@ -44,3 +45,10 @@ def number(value: float) -> str:
     if not math.isfinite(value):
         return "-"
     return f"{value:.5g}" if value == 0.0 or 1e-3 <= abs(value) < 1e6 else f"{value:.4e}"
+
+
+def html_table(rows: Sequence[Sequence[str]]) -> str:
+    """A table for a page or a notebook; its first row holds the titles."""
+    lines = ["".join(f"<th>{escape(cell)}</th>" for cell in rows[0])]
+    lines += ["".join(f"<td>{escape(cell)}</td>" for cell in row) for row in rows[1:]]
+    return "<table>" + "".join(f"<tr>{line}</tr>" for line in lines) + "</table>"

@@ -14,6 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 from . import _layout, critical, interior, sensitivity
 from ._boundary import FloatOrArray, Handle, call, evaluate, native, number, numbers, together
 from ._choices import code
+from ._text import html_table
+from ._text import number as number_text
 from ._warn import texts_of
 from .critical import Critical
 from .errors import ArgumentTypeError
@@ -22,6 +24,8 @@ from .interior import BODIES, Interior
 if TYPE_CHECKING:
     from .panels import Figure
 
+_SHOWN = 20
+"""States in a table of a notebook."""
 _DISPLACEMENTS = {"lower": _layout.DISPLACEMENT_LOWER, "upper": _layout.DISPLACEMENT_UPPER}
 
 
@@ -90,6 +94,13 @@ class State:
     def __repr__(self) -> str:
         numbers = ", ".join(f"{name}={value!r}" for name, value in zip(NAMES, self._numbers(), strict=True))
         return f"{type(self).__name__}({numbers})"
+
+    def _repr_html_(self) -> str:
+        """The numbers in a notebook, in the units of the contact."""
+        values = self._rows().reshape(-1, len(NAMES))
+        titles = [f"{name.replace('_', ' ')} [{Columns.units[name]}]" for name in NAMES]
+        rows = [[number_text(float(value)) for value in row] for row in values[:_SHOWN]]
+        return html_table([titles, *rows]) + (f"<p>{_SHOWN} of {len(values)} states</p>" if len(values) > _SHOWN else "")
 
     def __reduce__(self) -> tuple[Any, ...]:
         return state_of, (self._numbers(), self.contact)

@@ -72,7 +72,7 @@ def fits():
     layers = mdr.Pair(FILM, mdr.Coated(SILICON, 2e-7, OXIDE))
     two = mdi.fit(curve, BALL, layers, ["upper.coating.E"], instrument=mdi.Instrument(depth_offset=1e-10), max_iterations=2)
     ranking = mdi.compare_models(curve, BALL, FILM, ["coating.E"], models=["exact", "gao"])
-    failed = mdi.fit_many([lambda: mdi.ForceDepth(DEPTH, force * np.nan)], BALL, FILM, ["coating.E"])[0]
+    fits = mdi.fit_many([curve, lambda: mdi.ForceDepth(DEPTH, force * np.nan)], BALL, FILM, ["coating.E"])
     h = np.concatenate([DEPTH, DEPTH[::-1]])
     unloading = mdi.Unloading(
         np.interp(np.arange(0, 24, 0.1), np.arange(24), h), np.interp(np.arange(0, 24, 0.1), np.arange(24), h**1.5)
@@ -109,7 +109,8 @@ def fits():
         two,
         ranking,
         ranking.models[0],
-        failed,
+        fits,
+        fits[1],
         profile,
         composite,
         composite.forms["korsunsky"],

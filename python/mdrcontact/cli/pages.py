@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from .._text import html_table
 from ..instruments.fitting import report
 from ..instruments.fitting.quantities import measured, words_of
 from ..studies.fit import FittedCurve
@@ -20,7 +21,7 @@ def fit_page(found: FittedCurve, read: Sequence[str]) -> str:
     """Return the page of one fit, with other choices and models. read : notes on the file"""
     blocks = report.blocks_of(found.fit, read)
     if found.analysis is not None:
-        blocks += [report.heading(ANALYSIS), report.table(as_rows(with_errors(found.tables["points"])))]
+        blocks += [report.heading(ANALYSIS), html_table(as_rows(with_errors(found.tables["points"])))]
     if found.moves is not None and (lines := found.moves.summary()):
         blocks += [report.heading("Other choices"), report.items(lines), report.picture(found.moves.plot(), "other ranges")]
     if found.ranking is not None:
@@ -31,9 +32,9 @@ def fit_page(found: FittedCurve, read: Sequence[str]) -> str:
 def many_page(found: FittedCurves) -> str:
     """Return the page of the fits of many curves."""
     blocks = [report.paragraph(words) for words in found.notes.values()]
-    blocks += [report.table(as_rows(found.tables["spread"]))] if "spread" in found.tables else []
+    blocks += [html_table(as_rows(found.tables["spread"]))] if "spread" in found.tables else []
     blocks += [report.picture(found.figure(), "estimates of all curves")]
-    blocks += [report.items(found.doubts, doubt=True), report.heading("Curves"), report.table(as_rows(found.tables["curves"]))]
+    blocks += [report.items(found.doubts, doubt=True), report.heading("Curves"), html_table(as_rows(found.tables["curves"]))]
     blocks += [report.heading("What was assumed, for the first curve"), report.assumptions(found.fitted[0].fit)]
     return report.page(found.title, blocks)
 
@@ -51,5 +52,5 @@ def modulus_page(found: ModulusResult, read: Sequence[str]) -> str:
     assumed = [f"indenter: {problem.indenter!r}", f"medium: {problem.medium!r}", f"instrument: {problem.instrument!r}"]
     priors = [f"{words_of(n)}: {measured(n, *f.prior)}" for n, f in problem.free.items() if f.prior]
     blocks += [report.heading("What was assumed"), report.items([*assumed, *priors])]
-    blocks += [report.heading("Points"), report.table(rows)]
+    blocks += [report.heading("Points"), html_table(rows)]
     return report.page(found.title, blocks)

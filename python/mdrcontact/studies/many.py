@@ -17,17 +17,16 @@ from .._units import ENERGY, FORCE, LENGTH, RATIO, Unit, practical
 from ..errors import MDRError
 from ..instruments.files.curves import Curve
 from ..instruments.files.fit_file import FitFile
-from ..instruments.fitting import FailedFit, FitResult, MeanOfTests, Rating, fit_many, mean_of_tests, rate
+from ..instruments.fitting import FailedFit, FitResult, FitResults, MeanOfTests, Rating, fit_many, mean_of_tests, rate
 from ..instruments.fitting.causes import by_cause
 from ..instruments.fitting.data import Data
+from ..instruments.fitting.many import WITHOUT_MODEL, by_curve, histogram, parameter
 from ..instruments.fitting.misfit import percent
 from ..instruments.fitting.quantities import digits, dimension_of, words_of
-from ..panels import Axis, Bars, Cells, Figure, Line, Panel, along
+from ..panels import Axis, Cells, Figure, Line, Panel
 from ..progress import Progress
 from .result import Array, Column, Number, Result, Table, Words, in_words, study
 
-_MOST_NAMES = 40
-"""Curves whose names are written below the figure."""
 _OFF_GRID = 0.25
 """Largest distance of a position from the grid, relative to its step."""
 _WITHOUT_MODEL = {"jump-in": FORCE, "pull-off": FORCE, "last rupture": LENGTH, "energy lost": ENERGY}
@@ -50,7 +49,7 @@ class FittedCurves(Result):
 
     problem: FitFile
     curves: tuple[Curve, ...]
-    results: tuple[FitResult | FailedFit, ...]
+    results: FitResults
     """of each curve"""
     fitted: tuple[Fitted, ...]
     """the curves that could be fitted"""
@@ -121,37 +120,14 @@ def _micrometres(fitted: Sequence[Fitted], places: NDArray[np.int64], i: int) ->
 
 
 def _parameter_panels(fitted: Sequence[Fitted], name: str, grid: _Grid | None) -> Iterator[Panel]:
-    axis, unit = along(words_of(name), dimension_of(name), [abs(one.fit.estimates[name]) for one in fitted])
-    values = unit.of(np.array([one.fit.estimates[name] for one in fitted]))
+    axis, values, errors = parameter([one.fit for one in fitted], name)
     counts = np.array([one.counts for one in fitted])
     chosen = values[counts] if counts.any() else values
     if grid is None:
-        errors = 1.96 * unit.of(np.array([one.fit.standard_errors[name] for one in fitted]))
-        yield _by_curve(fitted, axis, values, errors, counts)
+        yield by_curve([one.curve.name for one in fitted], axis, values, errors, counts)
     else:
         yield _by_place(grid, axis, values, chosen, counts)
-    numbers, edges = np.histogram(chosen, "rice")
-    yield Panel(axis, Axis("curves", whole=True), (Bars(edges, numbers.astype(float)),))
-
-
-def _by_curve(fitted: Sequence[Fitted], axis: Axis, values: Array, errors: Array, counts: NDArray[np.bool_]) -> Panel:
-    places = np.arange(1.0, len(values) + 1.0)
-    parts = tuple(
-        Line(places[keep], values[keep], name, colour, -1, "o", error=errors[keep])
-        for keep, colour, name in ((counts, 0, "in the mean"), (~counts, 1, "left out of the mean"))
-        if keep.any()
-    )
-    names = tuple(one.curve.name for one in fitted) if len(fitted) <= _MOST_NAMES else ()
-    low, high = _ends(values[counts] if counts.any() else values, errors[counts] if counts.any() else errors)
-    return Panel(Axis("curve", whole=True, names=names), axis._replace(low=low, high=high), parts)
-
-
-def _ends(values: Array, errors: Array) -> tuple[float, float]:
-    """Limits in which one estimate that is not determined does not take the whole height."""
-    low, high = np.percentile(values, [5.0, 95.0])
-    room = 4.0 * max(high - low, float(np.median(errors)), 1e-3 * abs(high))
-    ends = max(float((values - errors).min()), low - room), min(float((values + errors).max()), high + room)
-    return ends[0] - 0.05 * (ends[1] - ends[0]), ends[1] + 0.05 * (ends[1] - ends[0])
+    yield histogram(axis, chosen)
 
 
 def _by_place(grid: _Grid, axis: Axis, values: Array, chosen: Array, counts: NDArray[np.bool_]) -> Panel:
@@ -221,7 +197,8 @@ def many(problem: FitFile, curves: Sequence[Curve], *, keep_all: bool = False, p
     """
     progress, total = progress or Progress(), len(curves)
     progress.step(0, total, "curves")
-    tasks = [functools.partial(_only_data, curve) for curve in curves]
+    notes: dict[int, list[str]] = {}
+    tasks = [functools.partial(_only_data, curve, i, notes) for i, curve in enumerate(curves)]
     results = fit_many(tasks, progress=lambda done: progress.step(done, total, "curves"), **problem.arguments)
     fitted = [_rated(curve, r, keep_all) for curve, r in zip(curves, results, strict=True) if isinstance(r, FitResult)]
     failed = [(c.name, f"not fitted: {r.error}") for c, r in zip(curves, results, strict=True) if isinstance(r, FailedFit)]
@@ -234,7 +211,7 @@ def many(problem: FitFile, curves: Sequence[Curve], *, keep_all: bool = False, p
     doubts = (*striking, *by_cause(warned))
     tables: dict[str, Table] = {
         "curves": in_words(_rows(curves, results, fitted)),
-        "estimates": _estimates(curves, results, fitted),
+        "estimates": _estimates(curves, results, notes),
     }
     if len(spread) > 1:
         tables["spread"] = in_words(spread)
@@ -251,7 +228,7 @@ def many(problem: FitFile, curves: Sequence[Curve], *, keep_all: bool = False, p
         warnings=doubts,
         problem=problem,
         curves=tuple(curves),
-        results=tuple(results),
+        results=results,
         fitted=tuple(fitted),
         means=means,
         doubts=doubts,
@@ -281,8 +258,9 @@ def _places(curves: Sequence[Curve]) -> list[Column | Words]:
     return columns
 
 
-def _only_data(curve: Curve) -> Data:
-    return curve.read()[0]
+def _only_data(curve: Curve, i: int, notes: dict[int, list[str]]) -> Data:
+    data, notes[i] = curve.read()
+    return data
 
 
 def _rated(curve: Curve, result: FitResult, keep_all: bool) -> Fitted:
@@ -370,34 +348,31 @@ def _rows(curves: Sequence[Curve], results: Sequence[FitResult | FailedFit], fit
     return rows
 
 
-def _estimates(curves: Sequence[Curve], results: Sequence[FitResult | FailedFit], fitted: Sequence[Fitted]) -> Table:
-    """Estimates and marks of each curve; a failure is a row with its error."""
-    good = [one.fit for one in fitted]
+def _estimates(curves: Sequence[Curve], results: FitResults, notes: Mapping[int, Sequence[str]]) -> Table:
+    """Estimates, marks and settings of each curve; a failure is a row with its error."""
     missing = {i: "" for i, result in enumerate(results) if isinstance(result, FailedFit)}
     columns: list[Column | Words] = [Words("file", [curve.name for curve in curves]), *_places(curves)]
-    for name in good[0].names:
-        unit = practical(dimension_of(name), [abs(r.estimates[name]) for r in good])
-        for title, by_name in ((name, "estimates"), (f"standard error of {name}", "standard_errors")):
-            values = [getattr(r, by_name)[name] if isinstance(r, FitResult) else np.nan for r in results]
-            columns.append(Column(title, np.array(values), unit, missing))
-    for name, dimension in _WITHOUT_MODEL.items():
-        pulls = [r.data.pulls.get(name) if isinstance(r, FitResult) else None for r in results]
-        if any(pull is not None for pull in pulls):
-            unit = practical(dimension, [abs(pull) for pull in pulls if pull is not None])
-            values = [np.nan if pull is None else pull for pull in pulls]
-            columns.append(Column(name, np.array(values), unit, {i: "" for i, pull in enumerate(pulls) if pull is None}))
-    titles = ["converged", "verdict", "misfit", "noise", "rating", "sound", "chi-square/dof", "pattern p", "warnings"]
-    rest = iter(fitted)
-    marks = [
-        [*(len(titles) - 1) * [""], f"not fitted: {result.error}"] if isinstance(result, FailedFit) else _marks(next(rest))
-        for result in results
-    ]
-    return [*columns, *in_words([titles, *marks])]
+    table = results.table()
+    for title, values in table.items():
+        name = title.removeprefix("standard error of ").removeprefix("fixed ")
+        if title in WITHOUT_MODEL:
+            absent = {int(i): "" for i in np.flatnonzero(np.isnan(values))}
+            columns.append(Column(title, values, practical(_WITHOUT_MODEL[title], np.abs(values[~np.isnan(values)])), absent))
+        elif title != name or name in results.names:
+            given = table.get(name, values)
+            unit = practical(dimension_of(name), np.abs(given[~np.isnan(given)]))
+            columns.append(Column(title, values, unit, missing))
+        elif title != "curve":
+            columns.append(Words(title, [_mark(title, value, i in missing) for i, value in enumerate(values)]))
+    return [*columns, Words("read", ["; ".join(notes.get(i, ())) for i in range(len(curves))])]
 
 
-def _marks(one: Fitted) -> list[str]:
-    """Remarks on a fit in addition to its estimates."""
-    r, rating = one.fit, one.rating
-    ratio = repr(r.reduced_chi_square) if r.noise_is_known and r.degrees_of_freedom >= 1.0 else ""
-    sizes = [repr(r.misfit.rms), repr(r.misfit.noise), f"{rating.score:.2f}", str(int(rating.is_sound))]
-    return [str(int(r.converged)), r.verdict, *sizes, ratio, repr(r.pattern_probability), "; ".join([*rating.reasons, *r.warnings])]
+def _mark(title: str, value: Any, is_missing: bool) -> str:
+    """A remark on a fit in addition to its estimates."""
+    if isinstance(value, str):
+        return value
+    if is_missing or np.isnan(value):
+        return ""
+    if title == "rating":
+        return f"{value:.2f}"
+    return str(int(value)) if isinstance(value, bool) else repr(float(value))

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from .._text import html_table
 from ..instruments.fitting import report
 from ..panels import Axis, Figure, Line, Panel
 from ..panels.matplotlib import draw
@@ -89,10 +90,10 @@ def html(rows: Sequence[Row]) -> str:
         blocks.append(report.heading(group.title))
         if is_installed("matplotlib") and any(row.found for row in held):
             blocks.append(report.picture(figure(held), group.title))
-        blocks.append(report.table([TITLES, *(row.cells() for row in held)]))
+        blocks.append(html_table([TITLES, *(row.cells() for row in held)]))
     blocks += [report.paragraph(f"Programs: {', '.join(programs())}.")]
     for title, table in limits.tables():
-        blocks += [report.heading(title), report.table(table)]
+        blocks += [report.heading(title), html_table(table)]
     return report.page("Validation", blocks)
 
 

@@ -10,7 +10,7 @@ from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius, Un
 from .depth_profile import DepthProfile, modulus_at_depths
 from .gel import GelFit, compare_drainages, fit_gel
 from .indent import Indent
-from .many import FailedFit, fit_many
+from .many import FailedFit, FitResults, fit_many
 from .misfit import Misfit
 from .moves import Move, Moves, find_moves
 from .oliver_pharr import OliverPharr, oliver_pharr
@@ -38,6 +38,7 @@ __all__ = [
     "compare_models",
     "FitResult",
     "FailedFit",
+    "FitResults",
     "ModelRanking",
     "RankedModel",
     "Free",

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ... import medium as media
-from ..._text import aligned
+from ..._text import aligned, html_table
 from ...errors import ArgumentTypeError, MDRError
 from ...material import RIGID
 from ...medium.models import MODELS
@@ -118,6 +118,15 @@ class ModelRanking(NamedTuple):
         str
             A row for each model.
         """
+        refused = (f"refused: {model}: {words}" for model, words in self.refused.items())
+        return "\n".join([aligned(self._rows()), *refused, _CAUTION])
+
+    def _repr_html_(self) -> str:
+        """The ranking in a notebook."""
+        return html_table(self._rows())
+
+    def _rows(self) -> list[list[str]]:
+        """A row for each model, below the titles."""
         names = list(self.models[0].result.names) if self.models else []
         rows = [["model", "AIC - best", "BIC", "weight", "error of E_eff", *(f"{n} (bias)" for n in names)]]
         for entry in self.models:
@@ -129,7 +138,7 @@ class ModelRanking(NamedTuple):
             error = "" if entry.error is None else f"{100.0 * entry.error:+.1f} %" + (" WRONG HERE" if entry.is_wrong else "")
             numbers = [f"{entry.delta_aic:.1f}", f"{entry.result.bic:.5g}", f"{entry.weight:.2g}"]
             rows.append([entry.model + note, *numbers, error, *cells])
-        return "\n".join([aligned(rows), *(f"refused: {model}: {words}" for model, words in self.refused.items()), _CAUTION])
+        return rows
 
 
 def _marked(values: Any, errors: Any, wrong: Any) -> Iterator[Line]:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -240,7 +240,7 @@ def modulus_at_depths(
 
     failures: dict[int, str] = {}
 
-    def moduli(at: Array, report: Callable[[int], Any] | None = None) -> list[Any]:
+    def moduli(at: Array, report: Callable[[int], Any] | None = None) -> Sequence[Any]:
         tip, body, tool = problem.pattern.at(at)
         found = fit_many(points, tip, body, {name: problem.free[name]}, instrument=tool, check_units=False, progress=report)
         for i, result in enumerate(found):
@@ -259,7 +259,7 @@ def modulus_at_depths(
     return DepthProfile(name, oliver_pharr(data, tip, tool, medium=body), modulus, error, common, *line, failures)
 
 
-def _modulus(found: list[Any], name: str) -> Array:
+def _modulus(found: Sequence[Any], name: str) -> Array:
     return np.array([r.estimates[name] if isinstance(r, FitResult) else math.nan for r in found])
 
 

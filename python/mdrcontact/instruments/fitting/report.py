@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from ..._boundary import native
+from ..._text import html_table
 from ..._units import shown
 from ...panels import Figure
 from ...panels.matplotlib import png
@@ -63,13 +64,6 @@ def items(lines: Iterable[str], doubt: bool = False) -> str:
     return "<ul>" + "".join(f"<li{kind}>{escape(line)}</li>" for line in lines) + "</ul>"
 
 
-def table(rows: Sequence[Sequence[str]]) -> str:
-    """A table; its first row holds the titles."""
-    lines = ["".join(f"<th>{escape(cell)}</th>" for cell in rows[0])]
-    lines += ["".join(f"<td>{escape(cell)}</td>" for cell in row) for row in rows[1:]]
-    return "<table>" + "".join(f"<tr>{line}</tr>" for line in lines) + "</table>"
-
-
 def preformatted(words: str) -> str:
     """Text as it is."""
     return f"<pre>{escape(words)}</pre>"
@@ -87,7 +81,7 @@ def blocks_of(result: Any, notes: Sequence[str] = (), level: float = 0.95) -> li
         blocks.append(paragraph(f"The model {result.misfit_words()}: read the warnings before the numbers.", doubt=True))
     if not result.converged:
         blocks.append(paragraph("The search did not converge: these are the best values found.", doubt=True))
-    blocks += [table(_estimates(result, level)), picture(result.plot(), "data, fit and residuals")]
+    blocks += [html_table(estimates_of(result, level)), picture(result.plot(), "data, fit and residuals")]
     blocks += [heading("Warnings"), items(result.warnings, doubt=True) if result.warnings else paragraph("None.")]
     if notes:
         blocks += [heading("What was read"), items(notes)]
@@ -96,7 +90,8 @@ def blocks_of(result: Any, notes: Sequence[str] = (), level: float = 0.95) -> li
     return blocks
 
 
-def _estimates(result: Any, level: float) -> list[list[str]]:
+def estimates_of(result: Any, level: float = 0.95) -> list[list[str]]:
+    """Rows of the estimates of a fit with their intervals, below the titles."""
     rows = [["", "estimate", f"{100.0 * level:g} % interval", "known beforehand", "doubts"]]
     for name in result.names:
         ends = result.interval_as_text(name, level)
@@ -127,7 +122,7 @@ def assumptions(result: Any) -> str:
         *result.contact_depth_words(),
         "standard errors allow for correlated residuals by the restricted likelihood of a first-order autoregression",
     ]
-    return items(lines) + table(_fixed(result))
+    return items(lines) + html_table(_fixed(result))
 
 
 def _fixed(result: Any) -> list[list[str]]:

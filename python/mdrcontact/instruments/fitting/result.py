@@ -8,6 +8,7 @@ import json
 import math
 import os
 from collections.abc import Mapping, Sequence
+from html import escape
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -18,7 +19,7 @@ from ..._boundary import call, native, number, whole
 from ..._choices import nearest
 from ..._files import replace
 from ..._interrupt import workers
-from ..._text import aligned
+from ..._text import aligned, html_table
 from ..._units import QUANTITIES, practical
 from ...errors import InvalidArgumentError, MDRError
 from ...panels import Figure
@@ -29,7 +30,7 @@ from .misfit import LARGE, Misfit, measure_misfit, percent
 from .picture import figure_of
 from .problem import Problem
 from .quantities import digits, dimension_of, measured, plain, probability, unit_of, words_of
-from .report import blocks_of, page
+from .report import blocks_of, estimates_of, page
 from .scatter import compare_scatter
 
 Array = NDArray[np.float64]
@@ -763,6 +764,10 @@ class FitResult:
         if path is not None:
             replace(path, text.encode())
         return text
+
+    def _repr_html_(self) -> str:
+        """Verdict and estimates in a notebook."""
+        return f"<p>{escape(self.verdict)}</p>{html_table(estimates_of(self))}"
 
     def __repr__(self) -> str:
         inside = ", ".join(f"{name}={self.estimates[name]:.6g}+-{self.standard_errors[name]:.2g}" for name in self.names)
