@@ -33,10 +33,9 @@ def stores(name: str) -> list[Any]:
 
 def head(name: str, title: str) -> Any:
     """Return the buttons above a form."""
-    undo = html.Button("Undo", id={"form": name, "act": "undo"}, title="Alt+Z", accessKey="z", n_clicks=0, type="button")
     save = html.Button("Save", id=f"{name}-save", title="download the problem file", n_clicks=0, type="button")
     opened = html.Label([title, dcc.Upload("", id=f"{name}-open")], className="button")
-    return html.Div([opened, save, undo], className="buttons")
+    return html.Div([opened, save], className="buttons")
 
 
 def file_tab(name: str, text: str, commands: list[str], python: list[str]) -> list[Any]:
@@ -61,20 +60,22 @@ def register(dash: Dash, name: str, root: Table, first: str, seek: Seek | None =
         Output(f"{name}-alert", "children", allow_duplicate=True),
         Input({"form": name, "set": ALL}, "value"),
         Input({"form": name, "act": ALL}, "n_clicks"),
+        Input("undo", "n_clicks"),
+        State("page", "value"),
         State(name, "data"),
         prevent_initial_call=True,
     )
-    def change(_values: Any, _clicks: Any, data: Any) -> Any:
+    def change(_values: Any, _clicks: Any, _undo: Any, page: str, data: Any) -> Any:
         """Edit the text by the input or the button that was used."""
         used, value = ctx.triggered_id, ctx.triggered[0]["value"]
+        if used == "undo":
+            past = (data or {}).get("past")
+            if not past or page.lower() != name:
+                raise PreventUpdate
+            return {"text": past[-1], "past": past[:-1], "by": ""}, ""
         if used is None or len(ctx.triggered) > 1 or value is None or ("act" in used and not value):
             raise PreventUpdate  # the form was drawn
         text = data["text"] if data else first
-        if used.get("act") == "undo":
-            past = (data or {}).get("past")
-            if not past:
-                raise PreventUpdate
-            return {"text": past[-1], "past": past[:-1], "by": ""}, ""
         try:
             new = _changed(root, text, used, value, seek)
         except MDRError as refusal:

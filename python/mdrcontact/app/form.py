@@ -252,23 +252,21 @@ def guessed(text: str) -> set[Path]:
 
 
 def parts_of(drawn: Any) -> dict[str, tuple[Any, str]]:
-    """Return the parts of a form by their paths, each with what it shows apart from values and from the parts inside."""
-    found, own = {}, []
+    """Return the parts of a form by their paths, each with its inputs and buttons, but not their order and their values."""
+    found, own = {}, list[str]()
 
     def visit(one: Any) -> None:
         for child in one.children if isinstance(one.children, list) else [one.children]:
-            if isinstance(child, str):
-                own.append(child)
-            elif isinstance(getattr(child, "id", None), dict) and "part" in child.id:
+            if isinstance(getattr(child, "id", None), dict) and "part" in child.id:
                 found.update(parts_of(child))
                 own.append(str(child.id))
-            elif child is not None:
-                own.append(f"{getattr(child, 'id', '')}{getattr(child, 'options', '')}")
-                if hasattr(child, "children"):
-                    visit(child)
+            elif hasattr(child, "id"):
+                own.append(f"{child.id}{getattr(child, 'options', '')}")
+            if hasattr(child, "children") and "part" not in (getattr(child, "id", None) or ()):
+                visit(child)
 
     visit(drawn)
-    return {drawn.id["part"]: (drawn, "".join(own)), **found}
+    return {drawn.id["part"]: (drawn, "".join(sorted(own))), **found}
 
 
 class _Form(NamedTuple):
@@ -293,20 +291,21 @@ class _Form(NamedTuple):
             if one.name not in names or _chooses(one.name, table):
                 continue
             _, value = spelled(one, table, values)
-            place = (*path, one.name)
+            own = (*path, one.name)
             if one.table is not None:
-                rows += self.nested(one, place, value)
+                rows += self.nested(one, own, value)
             elif (
                 value is not None
                 or one.required
                 or (one.choices and one.default)
                 or any(one.name in group for group in table.one_of)
             ):
-                rows.append(self.field(one, place, value))
+                rows.append(self.field(one, own, value))
             else:
-                more.append(self.field(one, place, value))
-        rows += [html.Details([html.Summary("further keys"), *more])] if more else []
-        return html.Div(rows, id={"form": self.name, "part": "/".join(map(str, path))})
+                more.append(self.field(one, own, value))
+        place = "/".join(map(str, path))
+        rows += [html.Details([html.Summary("further keys"), *more], open=self.used.rpartition("/")[0] == place)] if more else []
+        return html.Div(rows, id={"form": self.name, "part": place})
 
     def inside(self, table: Table, path: Path, values: Values) -> list[Any]:
         """Return the rows that choose what belongs to a table, and the part that they choose."""

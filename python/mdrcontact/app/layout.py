@@ -18,9 +18,12 @@ _PAGES = {"Design": design, "Measure": measure}
 def layout(session: Session) -> Any:
     """Return the whole page."""
     first = "Measure" if measure.is_mine(session.text) else "Design"
+    undo = html.Button("Undo", id="undo", title="Alt+Z", accessKey="z", n_clicks=0, type="button")
     return html.Div(
         [
-            html.Header([html.H1("mdrcontact"), tabs("page", [*_PAGES], first, "pages"), html.Small(f"version {__version__}")]),
+            html.Header(
+                [html.H1("mdrcontact"), tabs("page", [*_PAGES], first, "pages"), undo, html.Small(f"version {__version__}")]
+            ),
             html.Main([html.Section(page.layout(session), id=f"{name}-page") for name, page in _PAGES.items()]),
         ]
     )
