@@ -128,10 +128,12 @@ def test_a_design_by_the_keyboard_alone(open_page):
     page.idle()
     keys = Keyboard(page)
     assert page.numbers()["force"] == "17.107 mN"
-    keys.go("design-example")
-    keys.send("tin_on_s")
-    page.wait(lambda: "TiN" in page.text or "tin" in page.text)
-    page.idle()
+    for _ in range(3):  # the list takes the first letters for an example that begins with them
+        keys.go("design-example")
+        keys.send("tin_on_st")
+        page.idle()
+        if "on steel" in page.text:
+            break
     keys.go(page.dom_id("indenter/shape"))
     keys.send("parab")
     page.idle()
@@ -171,6 +173,7 @@ def test_a_dropped_table_to_a_modulus_within_its_interval(open_page):
     picture(page, "data")
     page.type("indenter/radius", "10 um")
     page.choose("medium/type", "coated")
+    assert "no number of this problem" in page.one("sought").text
     for path, value in {
         "medium/coating/E": "60 GPa",
         "medium/coating/nu": "0.17",

@@ -76,7 +76,10 @@ def free_of(text: str) -> dict[str, Mapping[str, Any]]:
 
 def numbers_of(session: Session, text: str) -> dict[str, float | None]:
     """Return every number of a problem that a fit can find, and its value."""
-    found = session.fit_file(text if free_of(text) else edit.changed(text, _AT, ["depth_offset"]))
+    try:  # names that are sought may be those of another body
+        found = session.fit_file(edit.changed(text, _AT, ["depth_offset"]))
+    except MDRError:
+        found = session.fit_file(text)
     if is_poroelastic(found.medium):
         return dict.fromkeys(GEL_NAMES)
     pattern = pattern_of(found.indenter, found.medium, found.instrument)
@@ -86,9 +89,10 @@ def numbers_of(session: Session, text: str) -> dict[str, float | None]:
 def sought(session: Session, text: str) -> Any:
     """Return a row for each number: its value, whether it is free, and how well it is known."""
     rows, free = [], free_of(text)
-    for name, value in numbers_of(session, text).items():
+    numbers = numbers_of(session, text)
+    for name, value in {**numbers, **dict.fromkeys(free.keys() - numbers.keys(), math.nan)}.items():
         own, known = id_of(NAME, "set", (_FREE, name)), id_of(NAME, "set", (_PRIOR, name))
-        now = "" if value is None else shown(value, dimension_of(name), 6)
+        now = "" if value is None else "no number of this problem" if math.isnan(value) else shown(value, dimension_of(name), 6)
         box = dbc.Checkbox(id=own, value=name in free, label=html.Span([words_of(name), " ", html.Small(now)]))
         sd = dbc.Input(id=known, value=str(free.get(name, {}).get("prior_sd", "")), placeholder="sd", debounce=True)
         label = html.Label(f"standard deviation of {words_of(name)}", htmlFor=dom_id(known), className="unseen")
