@@ -10,6 +10,7 @@ import subprocess
 import sys
 import threading
 import time
+from pathlib import Path
 
 import pytest
 from conftest import ROOT, run
@@ -38,7 +39,7 @@ def session():
 def page(session):
     """Requests of a browser that has opened the address."""
     client = make_app(session).server.test_client()
-    assert client.get(f"/{session.secret}", base_url=HERE).status_code == 302
+    assert 'content="0;url=/"' in client.get(f"/{session.secret}", base_url=HERE).text
     return client
 
 
@@ -66,6 +67,14 @@ def test_nothing_is_read_without_the_secret(session, path):
         for method in ("GET", "POST", "PUT", "OPTIONS"):
             answer = stranger.open(path, method=method, base_url=HERE)
             assert answer.status_code == 403 and "the address that mdrcontact app printed" in answer.text
+
+
+def test_the_address_of_a_started_browser_opens_the_page_once(session):
+    first, second = (make_app(session).server.test_client() for _ in range(2))
+    once = session.once
+    assert status(first, f"/{once}") == 200 == status(first, "/")
+    assert status(second, f"/{once}") == 403 == status(second, "/")
+    assert status(make_app(session).server.test_client(), "/") == 403
 
 
 def test_a_secret_of_another_port_is_none(session, page):
@@ -246,6 +255,20 @@ def test_stresses_with_failures_are_cancelled(session):
     assert isinstance(job.problem, CancelledError)
 
 
+def test_many_fits_are_cancelled_within_one(session):
+    """No fit ends after the cancel, and those that are not begun do not begin."""
+    folder = ROOT / "examples" / "fit"
+    problem = mdr.instruments.load_fit_file(folder / "modulus_of_oxide.toml")
+    curves = problem.curves(folder / "modulus_of_oxide.csv") * 200
+    job = session.jobs.start("m", "many fits", lambda progress: mdr.studies.many(problem, curves, progress=progress))
+    while job.is_running and job.done[0] < 1:
+        time.sleep(0.001)
+    session.jobs.cancel()
+    done = job.done[0]
+    ended(job)
+    assert isinstance(job.problem, CancelledError) and done <= job.done[0] <= done + 1 < 200
+
+
 def test_warnings_belong_to_results_and_cross_no_threads(session):
     """Contacts with and without a warning, side by side."""
     steep = PROBLEM.replace('"sphere", radius = "10 um"', '"cone", half_angle = "30 deg"') + 'compute = { depths = ["1 um"] }\n'
@@ -264,6 +287,13 @@ def test_warnings_belong_to_results_and_cross_no_threads(session):
     assert [len(found[i]) for i in range(16)] == [1, 0] * 8
 
 
+def listening_of(pid):
+    """The addresses on which a process listens, as the system has them."""
+    names = [os.readlink(f"/proc/{pid}/fd/{name}") for name in os.listdir(f"/proc/{pid}/fd")]
+    rows = [line.split() for file in ("tcp", "tcp6") for line in Path(f"/proc/net/{file}").read_text().splitlines()[1:]]
+    return [row[1] for row in rows if row[3] == "0A" and f"socket:[{row[9]}]" in names]
+
+
 def command(*arguments, **more):
     return subprocess.Popen(
         [sys.executable, "-m", "mdrcontact", "app", *arguments],
@@ -271,7 +301,8 @@ def command(*arguments, **more):
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("end", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.slow
+@pytest.mark.parametrize("end", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_the_command_prints_the_address_and_ends(end, tmp_path):
     environment = {**os.environ, "TMPDIR": str(tmp_path)}
     with command("--no-browser", "examples/problems/sio2_on_si.toml", env=environment) as process:
@@ -281,7 +312,9 @@ def test_the_command_prints_the_address_and_ends(end, tmp_path):
         host, _, secret = address.removeprefix("http://").partition("/")
         connection = http.client.HTTPConnection(host, timeout=20)
         connection.request("GET", f"/{secret}")
-        assert connection.getresponse().status == 302 and len(list(tmp_path.iterdir())) == 1
+        assert connection.getresponse().status == 200 and len(list(tmp_path.iterdir())) == 1
+        if Path("/proc/net/tcp").exists():
+            assert listening_of(process.pid) == [f"0100007F:{int(host.partition(':')[2]):04X}"]
         process.send_signal(end)
         assert process.communicate(timeout=30) == ("", "") and process.returncode == 0
     assert not list(tmp_path.iterdir())
@@ -302,14 +335,18 @@ def test_a_taken_port_and_a_missing_file_are_errors(capsys):
 
 
 def test_without_a_browser_the_address_is_to_be_opened(monkeypatch, capsys):
-    monkeypatch.setattr("webbrowser.open", lambda address: False)
+    given = []
+    monkeypatch.setattr("webbrowser.open", given.append)
     monkeypatch.setattr("threading.Thread.join", lambda self: (_ for _ in ()).throw(KeyboardInterrupt))
-    before = signal.getsignal(signal.SIGTERM)
+    before = {one: signal.getsignal(one) for one in (signal.SIGTERM, signal.SIGHUP)}
     try:
         assert cli.main(["app"]) == 0
     finally:
-        signal.signal(signal.SIGTERM, before)
-    assert "No browser was found. Open this address in one." in capsys.readouterr().out
+        for one, handler in before.items():
+            signal.signal(one, handler)
+    address, said, _ = capsys.readouterr().out.splitlines()
+    # what the list of processes shows is not what is printed
+    assert said == "No browser was found. Open this address in one." and len(given) == 1 and given[0] != address
 
 
 def test_without_the_extra_the_command_says_what_to_install():
@@ -321,3 +358,58 @@ def test_without_the_extra_the_command_says_what_to_install():
 def test_the_package_loads_neither_the_page_nor_figures():
     loaded = run([sys.executable, "-c", "import sys, mdrcontact, mdrcontact.cli, mdrcontact.problem; print(*sys.modules)"], ROOT)
     assert "mdrcontact.cli.app" in loaded and not {"dash", "plotly", "flask", "tomlkit", "matplotlib"} & set(loaded.split())
+
+
+def asked_of(client, output, values, changed):
+    """What a callback returns for the values of its inputs and states, as the page asks for it."""
+    known = client.get("/_dash-dependencies", base_url=HERE).json
+    one = next(one for one in known if one["output"].startswith(f"..{output}."))
+
+    def given(places):
+        return [{**each, "value": values.get(f"{each['id']}.{each['property']}")} for each in places]
+
+    outputs = [dict(zip(("id", "property"), each.rsplit(".", 1), strict=True)) for each in one["output"].strip(".").split("...")]
+    body = {"output": one["output"], "outputs": outputs, "inputs": given(one["inputs"]), "state": given(one["state"])}
+    for _ in range(600):
+        answer = client.post("/_dash-update-component", base_url=HERE, json={**body, "changedPropIds": [changed]})
+        assert answer.status_code == 200
+        found = answer.json["response"]
+        if found[output.replace("results", "busy")]["hidden"]:
+            return found
+        changed = changed.partition("-run")[0].partition(".")[0] + "-again.n_intervals"
+        time.sleep(0.1)
+    raise AssertionError("the work does not end")
+
+
+def texts(drawn):
+    """All words of components."""
+    if isinstance(drawn, dict):
+        return texts(drawn.get("props", drawn).get("children"))
+    return [word for one in drawn for word in texts(one)] if isinstance(drawn, list) else [drawn]
+
+
+def test_a_design_through_the_callbacks_is_that_of_the_command(page, tmp_path):
+    text = cli.example.examples()["sio2_on_si"]
+    found = asked_of(page, "design-results", {"design.data": {"text": text}, "design-tab.value": "Curves"}, "design.data")
+    expected = mdr.studies.curve(mdr.problem.read_text(text), pressures=True, references=True)
+    shown = texts(found["design-results"]["children"])
+    assert expected.numbers and {str(number) for number in expected.numbers.values()} < set(shown)
+    assert set(expected.notes.values()) < set(shown) and not found["design-alert"]["children"]
+    # an error, and the field that it is about
+    text = text.replace('radius = "10 um"', 'radius = "-10 um"')
+    found = asked_of(page, "design-results", {"design.data": {"text": text}, "design-tab.value": "Curves"}, "design.data")
+    words = "[indenter]: radius = '-10 um': it must be greater than 0 and finite."
+    assert found["design-alert"]["children"] == words and found["design-where"]["data"] == ["indenter/radius", words]
+
+
+def test_a_fit_through_the_callbacks_is_that_of_the_command(session, page):
+    folder = ROOT / "examples" / "fit"
+    text = (folder / "modulus_of_oxide.toml").read_text("utf-8")
+    session.add({"data.csv": (folder / "modulus_of_oxide.csv").read_bytes()})
+    run = {"text": text, "names": ["data.csv"], "out": [], "moves": False, "compare": False, "run": 1}
+    values = {"measure-run.data": run, "measure.data": {"text": text}, "measure-names.data": run, "measure-tab.value": "Fit"}
+    found = asked_of(page, "measure-results", values, "measure-run.data")
+    problem = mdr.instruments.load_fit_file(folder / "modulus_of_oxide.toml")
+    expected = mdr.studies.fit(problem, problem.read_data(folder / "modulus_of_oxide.csv")[0]).fit
+    shown = texts(found["measure-results"]["children"])
+    assert len(expected.names) > 0 and {expected.as_text(name) for name in expected.names} <= set(shown)

@@ -11,7 +11,7 @@ from conftest import PUBLIC, ROOT, run
 import mdrcontact as mdr
 
 PACKAGE = ROOT / "python" / "mdrcontact"
-ORDER = ("contact", "panels", "problem", "instruments", "studies", "app", "cli")
+ORDER = ("contact", "panels", "problem", "instruments", "studies", "cli", "app")
 """A room imports its own files and the rooms before it. What has none of these names is of the room "contact"."""
 BESIDE = ("validation", "interop")
 """These import any room; only `ENTRIES` and themselves import them."""
@@ -23,6 +23,7 @@ ENTRIES = {
 }
 """Files that name a room beyond their own, for its users."""
 LATE = {
+    ("cli/app.py", "app"),
     ("contact.py", "panels"),
     ("law.py", "panels"),
     ("loop.py", "panels"),
@@ -31,7 +32,8 @@ LATE = {
     ("problem/section.py", "instruments"),
     ("problem/friction.py", "instruments"),
 }
-"""`plot` of a contact makes a figure. A path in [history] or [friction] is in a table, which the reader of instruments reads."""
+"""The command of the page loads it. `plot` of a contact makes a figure.
+A path in [history] or [friction] is in a table, which the reader of instruments reads."""
 
 
 def room(parts: tuple[str, ...]) -> str:

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import base64
-import re
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -13,6 +12,7 @@ from dash import Output, ctx, dcc, html, no_update
 from ..cli.table import as_csv, as_rows
 from ..errors import CancelledError, MDRError
 from ..panels import Figure, matplotlib, plotly
+from ..problem import ProblemError
 from ..progress import Progress
 from ..studies.result import Result
 from .jobs import BusyError
@@ -178,9 +178,7 @@ def progress(state: tuple[float, float | None, str] | None) -> list[Any]:
 
 def place_of(refusal: Exception) -> list[str] | None:
     """Return the path of the field that a refusal is about, and its words; None if it is about no field."""
-    found = re.match(r"\[([\w. ]+)\]: (?:entry \d+ of )?(?:the key ')?(\w+)", str(refusal))
-    if found is None:
+    if not isinstance(refusal, ProblemError) or not refusal.key:
         return None
-    path = [part for step in found[1].split(".") for part in step.split(" ")]
-    steps = [str(int(step) - 1) if step.isdigit() else step for step in path]
-    return ["/".join([*steps, found[2]]), str(refusal)]
+    path = refusal.path[:-1] if refusal.entry else refusal.path
+    return ["/".join(map(str, path)), str(refusal)]

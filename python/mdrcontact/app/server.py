@@ -10,7 +10,7 @@ from typing import Any
 
 from dash import Dash
 from dash.exceptions import DependencyException
-from flask import Flask, Response, abort, redirect, request
+from flask import Flask, Response, abort, request
 from werkzeug.serving import BaseWSGIServer, WSGIRequestHandler, make_server
 
 from ..errors import MDRError
@@ -38,6 +38,9 @@ _INDEX = """<!DOCTYPE html>
 <head>{%metas%}<title>{%title%}</title>{%favicon%}{%css%}</head>
 <body>{%app_entry%}{%config%}{%scripts%}{%renderer%}</body>
 </html>"""
+_ENTRANCE = """<!DOCTYPE html>
+<html lang="en"><head><title>mdrcontact</title><meta http-equiv="refresh" content="0;url=/"></head></html>"""
+"""Leads to the page from a page of its own: a strict cookie does not follow a redirection from elsewhere."""
 _STRANGER = "This page needs the address that mdrcontact app printed. Open that address."
 
 
@@ -71,8 +74,8 @@ def guard(dash: Dash, session: Session) -> None:
         if request.headers.get("Origin", f"http://{request.host}") != f"http://{request.host}":
             abort(403)
         given = request.path.removeprefix("/")
-        if _is(given, session.secret):
-            answer = redirect("/")
+        if _is(given, session.secret) or session.opens(given):
+            answer = Response(_ENTRANCE, mimetype="text/html")
             answer.set_cookie(cookie, session.secret, httponly=True, samesite="Strict")
             return answer
         if not _is(request.cookies.get(cookie, ""), session.secret):

@@ -4,10 +4,12 @@
 from __future__ import annotations
 
 import atexit
+import hmac
 import re
 import secrets
 import shutil
 import tempfile
+import threading
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -32,12 +34,18 @@ class Session:
 
     def __init__(self, text: str = "", files: Mapping[str, Path] | None = None) -> None:
         self.text, self.secret, self.jobs = text, secrets.token_urlsafe(24), Jobs()
+        self.once, self._unused = secrets.token_urlsafe(24), threading.Semaphore()
+        """opens the page once: the address of a browser that is started is in the list of processes, which others read"""
         self.files = dict(files or {})
         """paths by name"""
         # only this user may open it
         self._folder = Path(tempfile.mkdtemp(prefix="mdrcontact-"))
         self._size = 0
         atexit.register(self.close)
+
+    def opens(self, given: str) -> bool:
+        """Whether this is what opens the page once, for the first time."""
+        return hmac.compare_digest(given.encode(), self.once.encode()) and self._unused.acquire(blocking=False)
 
     def add(self, contents: Mapping[str, bytes]) -> list[str]:
         """Keep files that were dropped together, and return their cleaned names. A name that was dropped before is replaced."""

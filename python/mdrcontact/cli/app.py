@@ -35,11 +35,13 @@ def run(arguments: argparse.Namespace) -> None:
         server = listen(make_app(session), arguments.port)
         thread = threading.Thread(target=server.serve_forever, daemon=True)
         thread.start()
-        print(f"http://{server.host}:{server.port}/{session.secret}", flush=True)
-        if not arguments.no_browser and not webbrowser.open(f"http://{server.host}:{server.port}/{session.secret}"):
+        address = f"http://{server.host}:{server.port}"
+        print(f"{address}/{session.secret}", flush=True)
+        if not arguments.no_browser and not webbrowser.open(f"{address}/{session.once}"):
             print("No browser was found. Open this address in one.", flush=True)
         print("Ctrl-C ends the page.", flush=True)
-        signal.signal(signal.SIGTERM, signal.default_int_handler)
+        for name in {"SIGTERM", "SIGHUP"} & {*dir(signal)}:
+            signal.signal(getattr(signal, name), signal.default_int_handler)
         with suppress(KeyboardInterrupt):
             thread.join()
     finally:
