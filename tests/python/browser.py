@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
 import threading
 import time
@@ -19,7 +20,7 @@ from mdrcontact.app import Session, make_app
 from mdrcontact.app.server import listen
 
 CHROMIUM, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
-_PATIENCE = 60.0
+_PATIENCE = 150.0
 _SPY = """performance.setResourceTimingBufferSize(100000); window.errors = []; const own = console.error;
 console.error = (...words) => { window.errors.push(words.map(one => one && one.message || String(one)).join(" ")); own(...words); };
 window.addEventListener("error", one => window.errors.push(String(one.message)));"""
@@ -68,6 +69,8 @@ class Page:
             except (StaleElementReferenceException, IndexError):
                 pass
             time.sleep(0.05)
+        if folder := os.environ.get("MDRCONTACT_PICTURES"):
+            self.driver.save_screenshot(os.path.join(folder, "failed.png"))
         raise AssertionError(f"{what or truth}: {self.alert!r}, {self.driver.execute_script('return window.errors')}")
 
     def all(self, selector):

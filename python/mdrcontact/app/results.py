@@ -176,9 +176,9 @@ def progress(state: tuple[float, float | None, str] | None) -> list[Any]:
     return [bar, html.Span(f"{what} {done:g} of {total:g}" if total else what)]
 
 
-def place_of(refusal: Exception) -> list[str] | None:
+def place_of(refusal: Exception) -> tuple[str, str] | None:
     """Return the path of the field that a refusal is about, and its words; None if it is about no field."""
-    if not isinstance(refusal, ProblemError) or not refusal.key:
+    if not isinstance(refusal, ProblemError) or not refusal.path:
         return None
     path = refusal.path[:-1] if refusal.entry else refusal.path
-    return ["/".join(map(str, path)), str(refusal)]
+    return "/".join(map(str, path)), f"{refusal.rule} {refusal.remedy}".strip()
