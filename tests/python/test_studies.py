@@ -340,7 +340,7 @@ def test_examples_of_docstrings(name):
 
 def test_each_study_is_a_module_of_its_name():
     commands = {command.__name__.rpartition(".")[2] for command in COMMANDS}
-    assert set(STUDIES) == commands - {"app", "example"} | {"many"} == {*CASES, *MEASURED, "law", "validate"}
+    assert set(STUDIES) == commands - {"app", "completion", "example"} | {"many"} == {*CASES, *MEASURED, "law", "validate"}
     for name, study in STUDIES.items():
         assert study.__module__ == f"mdrcontact.studies.{name}"
         # what may be followed may be stopped

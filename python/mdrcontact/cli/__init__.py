@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import shlex
 import sys
 from collections.abc import Sequence
 from importlib import resources
@@ -18,6 +19,7 @@ from . import (
     app,
     calibrate,
     compare,
+    completion,
     conduction,
     curve,
     example,
@@ -55,6 +57,7 @@ COMMANDS = (
     map_,
     validate,
     app,
+    completion,
 )
 """Each command is a module with its name, HELP, `add_arguments(parser)` and `run(arguments)`, and a text help/<name>.txt."""
 _FORMAT = argparse.RawDescriptionHelpFormatter
@@ -84,7 +87,9 @@ class _Warnings:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command and return its exit status. An error is one line on the standard error stream."""
-    chosen = make_parser()[0].parse_args(arguments)
+    words = sys.argv[1:] if arguments is None else arguments
+    chosen = make_parser()[0].parse_args(words)
+    chosen.command = shlex.join(["mdrcontact", *words])
     try:
         with reported_to(_Warnings()):
             chosen.run(chosen)

@@ -10,6 +10,7 @@ from ..problem import load
 from ..studies import adhesion
 from . import files
 from .table import as_csv, as_text
+from .workbook import as_xlsx
 
 HELP = "compute pull-off, and a loop of approach and retraction"
 
@@ -27,4 +28,6 @@ def run(arguments: argparse.Namespace) -> None:
         found = adhesion(problem, progress=progress)
     print(f"{found.title}\n\n{found.notes['adhesion']}\n")
     print(f"{as_text(found.tables['pull-off'])}\n\n{as_text(found.tables['jumps'])}\n\n{found.notes['energy']}")
-    files.write(arguments, csv=lambda: as_csv(found.tables["loop"]), plot=found.figure)
+    files.write(
+        arguments, csv=lambda: as_csv(found.tables["loop"]), xlsx=lambda: as_xlsx(found, arguments.command), plot=found.figure
+    )

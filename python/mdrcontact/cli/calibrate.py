@@ -10,7 +10,7 @@ from .._progress import on_terminal
 from .._text import listed
 from ..instruments.files.fit_file import load_fit_file
 from ..studies import calibrate
-from . import files
+from . import files, pages
 
 HELP = "find area function, tip radius and frame compliance from indents into a known body"
 
@@ -42,10 +42,9 @@ def run(arguments: argparse.Namespace) -> None:
     with on_terminal() as progress:
         found = calibrate(problem, tests, progress=progress)
     print("\n".join(["", found.notes["fit"], *(f"warning: {words}" for words in found.doubts)]))
-    notes = [f"curves {', '.join(found.tests)}, problem file {arguments.problem}"]
     files.write(
         arguments,
         output=found.tip_file,
         plot=found.figure,
-        report=lambda: found.fit.report(notes=notes, title=found.title),
+        report=lambda: pages.calibrate_page(found, [f"curves {', '.join(found.tests)}"], files.origin(arguments)),
     )

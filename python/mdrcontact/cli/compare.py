@@ -16,6 +16,7 @@ from ..studies.compare import CompareResult
 from ..studies.result import Array, spread_over
 from . import files
 from .table import as_csv, spread_text
+from .workbook import as_xlsx
 
 HELP = "compute one problem under every model of its medium, and the spread between them"
 _SHOWN = 5
@@ -41,7 +42,9 @@ def run(arguments: argparse.Namespace) -> None:
     for model, words in found.refusals:
         print(f"\nleft out: {model}: {words}", end="")
     print(end="\n" if found.refusals else "")
-    files.write(arguments, csv=lambda: as_csv(found.tables["states"]), plot=found.figure)
+    files.write(
+        arguments, csv=lambda: as_csv(found.tables["states"]), xlsx=lambda: as_xlsx(found, arguments.command), plot=found.figure
+    )
 
 
 def _picked(found: CompareResult) -> tuple[list[int], list[str]]:

@@ -10,6 +10,7 @@ from ..problem import load
 from ..studies import conduction
 from . import files
 from .table import as_csv, as_text
+from .workbook import as_xlsx
 
 HELP = "compute the conductance of heat or current through a contact along its loading"
 _ROWS = 12
@@ -27,4 +28,6 @@ def run(arguments: argparse.Namespace) -> None:
     with on_terminal() as progress:
         found = conduction(problem, section=arguments.plot is not None, progress=progress)
     print(f"{found.title}\n\n{as_text(found.tables['states'], _ROWS)}\n\n{found.notes['conductance']}")
-    files.write(arguments, csv=lambda: as_csv(found.tables["states"]), plot=found.figure)
+    files.write(
+        arguments, csv=lambda: as_csv(found.tables["states"]), xlsx=lambda: as_xlsx(found, arguments.command), plot=found.figure
+    )

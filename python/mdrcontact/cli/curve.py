@@ -11,6 +11,7 @@ from ..problem import load
 from ..studies import curve
 from . import files
 from .table import as_csv, as_text
+from .workbook import as_xlsx
 
 HELP = "compute force, contact radius, stiffness and pressure of one problem"
 
@@ -30,9 +31,9 @@ def run(arguments: argparse.Namespace) -> None:
     """Compute, print and write the results."""
     files.check(arguments)
     problem = load(arguments.problem)
-    draws = arguments.plot is not None
+    draws, has_pressures = arguments.plot is not None, bool(arguments.pressure_csv or arguments.xlsx)
     with on_terminal() as progress:
-        found = curve(problem, pressures=draws or arguments.pressure_csv is not None, references=draws, progress=progress)
+        found = curve(problem, pressures=draws or has_pressures, references=draws, progress=progress)
     print(f"{found.title}\n\n{as_text(found.tables['states'], arguments.rows)}")
     for note in found.notes.values():
         print(f"\n{note}")
@@ -43,6 +44,7 @@ def run(arguments: argparse.Namespace) -> None:
     files.write(
         arguments,
         csv=lambda: as_csv(found.tables["states"]),
+        xlsx=lambda: as_xlsx(found, arguments.command),
         pressure_csv=lambda: as_csv(found.tables["pressures"]),
         plot=found.figure,
     )

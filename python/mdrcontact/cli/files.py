@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from .._files import check_place, replace
+from ..instruments.fitting import report
 from ..instruments.reading import afm
 from ..instruments.reading.asylum import is_second
 from ..instruments.reading.cells import SHEETS
@@ -22,7 +23,7 @@ from ..problem.toml import parse_file, text_of
 
 DATA_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".hld", *SHEETS, *afm.SUFFIXES)
 """File extensions of measurements."""
-_RESULTS = ("csv", "pressure_csv", "plot", "ranges", "json", "report", "npy", "law", "output")
+_RESULTS = ("csv", "xlsx", "pressure_csv", "plot", "ranges", "json", "report", "npy", "law", "output")
 """Arguments that name a file to be written."""
 _NAMES = ("file", "path", "labels")
 """Keys of problem files that name a file to be read."""
@@ -52,6 +53,7 @@ def add_fit(parser: argparse.ArgumentParser, results: str, data: str, tables: st
 def add_options(parser: argparse.ArgumentParser, what: str) -> None:
     """Add the options of a command with results."""
     parser.add_argument("--csv", type=Path, metavar="FILE.csv", help=f"write {what} to a CSV file, with units in the header")
+    parser.add_argument("--xlsx", type=Path, metavar="FILE.xlsx", help="write all tables to a workbook; needs openpyxl")
     parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw the figure (.png, .pdf or .svg); needs matplotlib")
     parser.add_argument("--overwrite", action="store_true", help="replace existing output files")
 
@@ -61,6 +63,8 @@ def check(arguments: argparse.Namespace) -> None:
     results = [path for path in (getattr(arguments, name, None) for name in _RESULTS) if path is not None]
     pictures = [path for name in ("plot", "ranges") if (path := getattr(arguments, name, None))]
     check_results(results, pictures, arguments.overwrite, draws=bool(getattr(arguments, "report", None)))
+    if workbook := getattr(arguments, "xlsx", None):
+        _check_workbook(workbook)
     for path in results:
         if path.exists() and any(path.samefile(read) for read in _read_by(arguments) if read.exists()):
             raise OutputError(f"{path}: this command reads it. Give the result another name.")
@@ -76,6 +80,21 @@ def check_results(results: Sequence[Path], pictures: Sequence[Path], overwrite: 
             importlib.import_module("matplotlib.figure")
         except ImportError as problem:
             raise OutputError('figures need matplotlib. Install it with pip install "mdrcontact[plot]".') from problem
+
+
+def _check_workbook(path: Path) -> None:
+    if path.suffix.lower() != ".xlsx":
+        raise OutputError(f"{path}: the name of a workbook must end in .xlsx.")
+    try:
+        importlib.import_module("openpyxl")
+    except ImportError as problem:
+        raise OutputError('workbooks need openpyxl. Install it with pip install "mdrcontact[instruments]".') from problem
+
+
+def origin(arguments: argparse.Namespace) -> list[str]:
+    """Return blocks of a page on the command and the files that it has read."""
+    read = {str(path): path.read_bytes() for path in _read_by(arguments) if path.is_file()}
+    return report.origin(read, Path(arguments.problem).read_text(encoding="utf-8"), arguments.command)
 
 
 def _read_by(arguments: argparse.Namespace) -> list[Path]:

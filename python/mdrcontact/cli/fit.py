@@ -14,6 +14,7 @@ from ..problem import ProblemError
 from ..studies import fit
 from . import files, many, pages
 from .table import as_csv, as_text, with_errors
+from .workbook import as_xlsx
 
 HELP = "find film properties with intervals from measured curves"
 
@@ -53,10 +54,10 @@ def _one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> None:
     print(listed(arguments.data, notes))
     print(f"  indenter: {problem.indenter!r}\n  medium: {problem.medium!r}\n")
     of_gel = problem.drainage is not None
-    for name in ("plot", "report", "ranges") if of_gel else ():
-        if getattr(arguments, name):
-            raise ProblemError(f"--{name}: fits of gels do not support it. Use --csv for the points, --json for the numbers.")
-    options = {"moves": bool(arguments.ranges or arguments.report), "interval": arguments.interval, "compare": arguments.compare}
+    if of_gel and arguments.ranges:
+        raise ProblemError("--ranges: fits of gels do not support it. Use --report for the fit with its residuals.")
+    moves = not of_gel and bool(arguments.ranges or arguments.report)
+    options = {"moves": moves, "interval": arguments.interval, "compare": arguments.compare}
     with on_terminal() as progress:
         found = fit(problem, data, **options, progress=progress)
     if found.analysis is not None:
@@ -70,8 +71,9 @@ def _one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> None:
     files.write(
         arguments,
         csv=lambda: as_csv(found.tables["points"]),
+        xlsx=lambda: as_xlsx(found, arguments.command),
         json=lambda: found.to_dict() if of_gel else {**found.to_dict(), "file": str(arguments.data)},
         plot=found.figure,
         ranges=lambda: found.moves and found.moves.plot(found.title),
-        report=lambda: pages.fit_page(found, [f"file {arguments.data}, problem file {arguments.problem}", *notes]),
+        report=lambda: pages.fit_page(found, notes, files.origin(arguments)),
     )

@@ -10,6 +10,7 @@ from ..problem import load
 from ..studies import friction
 from . import files
 from .table import as_csv, as_text
+from .workbook import as_xlsx
 
 HELP = "compute fretting loops or a path: partial slip, sliding, dissipated energy"
 _ROWS = 24
@@ -28,4 +29,4 @@ def run(arguments: argparse.Namespace) -> None:
         found = friction(problem, loops=arguments.plot is not None, progress=progress)
     table = found.tables["states"]
     print("\n\n".join([found.title, *found.notes.values(), as_text(table, _ROWS)]))
-    files.write(arguments, csv=lambda: as_csv(table), plot=found.figure)
+    files.write(arguments, csv=lambda: as_csv(table), xlsx=lambda: as_xlsx(found, arguments.command), plot=found.figure)

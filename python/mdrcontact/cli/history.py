@@ -10,6 +10,7 @@ from ..problem import load
 from ..studies import history
 from . import files
 from .table import as_csv, as_text
+from .workbook import as_xlsx
 
 HELP = "compute the contact of a viscoelastic body or a gel along a path in time"
 _ROWS = 12
@@ -28,4 +29,6 @@ def run(arguments: argparse.Namespace) -> None:
         found = history(problem, progress=progress)
     closing = "\n".join(found.notes.values())
     print(f"{found.title}\n\n{as_text(found.tables['path'], _ROWS)}\n\n{closing}")
-    files.write(arguments, csv=lambda: as_csv(found.tables["path"]), plot=found.figure)
+    files.write(
+        arguments, csv=lambda: as_csv(found.tables["path"]), xlsx=lambda: as_xlsx(found, arguments.command), plot=found.figure
+    )

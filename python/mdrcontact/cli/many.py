@@ -12,6 +12,7 @@ from ..instruments.files.fit_file import FitFile
 from ..studies import many
 from . import files, pages
 from .table import as_csv, as_text
+from .workbook import as_xlsx
 
 _MOST_ROWS = 300
 """Largest number of table rows on the screen."""
@@ -32,7 +33,8 @@ def run(arguments: argparse.Namespace, problem: FitFile, curves: list[Curve]) ->
     files.write(
         arguments,
         csv=lambda: as_csv(found.tables["estimates"]),
+        xlsx=lambda: as_xlsx(found, arguments.command),
         json=found.to_dict,
         plot=found.figure,
-        report=lambda: pages.many_page(found),
+        report=lambda: pages.many_page(found, files.origin(arguments)),
     )

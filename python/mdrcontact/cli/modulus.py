@@ -11,6 +11,7 @@ from ..instruments.files.fit_file import load_fit_file
 from ..studies import modulus
 from . import files, pages
 from .table import as_csv, as_text
+from .workbook import as_xlsx
 
 HELP = "find the film modulus at each depth of dynamic (CSM) data, and at zero depth"
 _ROWS = 20
@@ -38,7 +39,8 @@ def run(arguments: argparse.Namespace) -> None:
     files.write(
         arguments,
         csv=lambda: as_csv(found.tables["points"]),
+        xlsx=lambda: as_xlsx(found, arguments.command),
         json=found.to_dict,
         plot=found.figure,
-        report=lambda: pages.modulus_page(found, [f"file {arguments.data}", *notes]),
+        report=lambda: pages.modulus_page(found, notes, files.origin(arguments)),
     )

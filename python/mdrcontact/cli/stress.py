@@ -11,6 +11,7 @@ from ..problem import load
 from ..studies import stress
 from . import files
 from .table import as_csv, as_text
+from .workbook import as_xlsx
 
 HELP = "compute stresses inside a body, and the load at first failure"
 
@@ -31,7 +32,11 @@ def run(arguments: argparse.Namespace) -> None:
     draws = arguments.plot is not None
     with on_terminal() as progress:
         found = stress(
-            problem, friction=arguments.friction, maps=draws or arguments.csv is not None, lines=draws, progress=progress
+            problem,
+            friction=arguments.friction,
+            maps=draws or bool(arguments.csv or arguments.xlsx),
+            lines=draws,
+            progress=progress,
         )
     notes, tables = found.notes, found.tables
     parts = [found.title, notes["state"], as_text(tables["maxima"]), notes["energy"]]
@@ -40,7 +45,7 @@ def run(arguments: argparse.Namespace) -> None:
     if "unreached" in notes:
         parts.append(notes["unreached"])
     print("\n\n".join(parts))
-    files.write(arguments, csv=lambda: as_csv(tables["grid"]), plot=found.figure)
+    files.write(arguments, csv=lambda: as_csv(tables["grid"]), xlsx=lambda: as_xlsx(found, arguments.command), plot=found.figure)
 
 
 def _friction(text: str) -> float:

@@ -30,10 +30,11 @@ def as_rows(table: Table, rows: int | None = None) -> list[list[str]]:
     """Return the titles and at most `rows` rows of a table as text."""
     count = len(table[0].values)
     picked = range(count) if rows is None else spread_over(count, rows)
-    return [[c.title for c in table], *([_cell(c, i) for c in table] for i in picked)]
+    return [[c.title for c in table], *([cell_text(c, i) for c in table] for i in picked)]
 
 
-def _cell(column: Column | Mixed | Words, row: int) -> str:
+def cell_text(column: Column | Mixed | Words, row: int) -> str:
+    """Return a cell of a table as text."""
     if isinstance(column, Words):
         return column.values[row]
     if row in column.instead:
@@ -73,4 +74,4 @@ def _full(column: Column | Mixed | Words, row: int) -> str:
     """Return a cell in full precision."""
     if isinstance(column, Column) and row not in column.instead:
         return repr(float(column.unit.of(column.values[row])))
-    return _cell(column, row)
+    return cell_text(column, row)

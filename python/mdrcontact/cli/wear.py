@@ -10,6 +10,7 @@ from ..problem import load
 from ..studies import wear
 from . import files
 from .table import as_csv, as_text
+from .workbook import as_xlsx
 
 HELP = "compute the wear of a sliding indenter: radius, depth, worn profile"
 _ROWS = 24
@@ -27,4 +28,6 @@ def run(arguments: argparse.Namespace) -> None:
     with on_terminal() as progress:
         found = wear(problem, progress=progress)
     print(f"{found.title}\n\n{found.notes['end']}\n\n{as_text(found.tables['states'], _ROWS)}")
-    files.write(arguments, csv=lambda: as_csv(found.tables["states"]), plot=found.figure)
+    files.write(
+        arguments, csv=lambda: as_csv(found.tables["states"]), xlsx=lambda: as_xlsx(found, arguments.command), plot=found.figure
+    )

@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 import base64
+import hashlib
 import platform
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from datetime import datetime, timezone
 from html import escape
 from typing import Any
@@ -14,7 +15,7 @@ import numpy as np
 
 from ..._boundary import native
 from ..._text import html_table
-from ..._units import shown
+from ..._units import practical, shown
 from ...panels import Figure
 from ...panels.matplotlib import png
 from .quantities import dimension_of, measured, plain, probability, words_of
@@ -69,6 +70,14 @@ def preformatted(words: str) -> str:
     return f"<pre>{escape(words)}</pre>"
 
 
+def origin(files: Mapping[str, bytes], problem: str, command: str = "") -> list[str]:
+    """Where a result comes from: files that were read, by name, the text of the problem file, and the command."""
+    rows = [[name, str(len(content)), hashlib.sha256(content).hexdigest()] for name, content in files.items()]
+    blocks = [heading("Origin"), html_table([["file", "bytes", "SHA-256"], *rows])]
+    blocks += [paragraph("Command:"), preformatted(command)] if command else []
+    return [*blocks, paragraph("Problem file:"), preformatted(problem)]
+
+
 def picture(figure: Figure, words: str) -> str:
     """A figure inside the page."""
     return f'<img alt="{escape(words)}" src="data:image/png;base64,{base64.b64encode(png(figure)).decode()}">'
@@ -88,6 +97,29 @@ def blocks_of(result: Any, notes: Sequence[str] = (), level: float = 0.95) -> li
     blocks += [heading("What was assumed"), assumptions(result)]
     blocks += [heading("Quality of the fit"), items(_quality(result))]
     return blocks
+
+
+def blocks_of_gel(result: Any, notes: Sequence[str] = ()) -> list[str]:
+    """Everything about one fit of a gel: estimates, picture, notes, what was read and what was assumed."""
+    rows = [["", "estimate", "95 % interval"]]
+    for name, value in result.values.items():
+        unit = practical(dimension_of(name), [value])
+        low, high = (f"{end / unit.factor:.5g}" for end in result.intervals[name])
+        ends = f"{low} to {high} {unit.symbol}".rstrip()
+        rows.append([f"{words_of(name)} ({name})", measured(name, value, result.errors[name]), ends])
+    blocks = [
+        html_table(rows),
+        picture(result.plot(), "data, fit and residuals"),
+        heading("Warnings"),
+        items(result.notes, doubt=True),
+    ]
+    blocks += [heading("What was read"), items(notes)] if notes else []
+    assumed = [
+        f"medium: {result.medium!r}",
+        f"drainage: {result.drainage}",
+        f"{result.points} readings of the same standard deviation",
+    ]
+    return [*blocks, heading("What was assumed"), items(assumed)]
 
 
 def estimates_of(result: Any, level: float = 0.95) -> list[list[str]]:
