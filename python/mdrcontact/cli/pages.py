@@ -18,7 +18,7 @@ from .table import as_rows, with_errors
 ANALYSIS = "Oliver and Pharr on the fitted body, standard errors of the stiffness alone"
 
 
-def fit_page(found: FittedCurve, read: Sequence[str], origin: Sequence[str]) -> str:
+def fit_page(found: FittedCurve, read: Sequence[str], origin: Sequence[str] = ()) -> str:
     """Return the page of one fit, with other choices and models. read : notes on the file; origin : blocks of `report.origin`"""
     blocks = report.blocks_of_gel(found.fit, read) if isinstance(found.fit, GelFit) else report.blocks_of(found.fit, read)
     if found.analysis is not None:
@@ -31,14 +31,14 @@ def fit_page(found: FittedCurve, read: Sequence[str], origin: Sequence[str]) -> 
     return report.page(found.title, [*blocks, *origin])
 
 
-def calibrate_page(found: CalibrateResult, read: Sequence[str], origin: Sequence[str]) -> str:
+def calibrate_page(found: CalibrateResult, read: Sequence[str], origin: Sequence[str] = ()) -> str:
     """Return the page of a calibration. read : names of the tests"""
     blocks = report.blocks_of(found.fit, read)
     blocks += [report.heading("Agreement of the tests"), report.items(found.doubts, doubt=True)] if found.doubts else []
     return report.page(found.title, [*blocks, *origin])
 
 
-def many_page(found: FittedCurves, origin: Sequence[str]) -> str:
+def many_page(found: FittedCurves, origin: Sequence[str] = ()) -> str:
     """Return the page of the fits of many curves."""
     blocks = [report.paragraph(words) for words in found.notes.values()]
     blocks += [html_table(as_rows(found.tables["spread"]))] if "spread" in found.tables else []
@@ -48,7 +48,7 @@ def many_page(found: FittedCurves, origin: Sequence[str]) -> str:
     return report.page(found.title, [*blocks, *origin])
 
 
-def modulus_page(found: ModulusResult, read: Sequence[str], origin: Sequence[str]) -> str:
+def modulus_page(found: ModulusResult, read: Sequence[str], origin: Sequence[str] = ()) -> str:
     """Return the page of a modulus against depth. read : notes on the file"""
     problem, profile = found.problem, found.profile
     columns = [c for c in found.tables["points"] if isinstance(c, Column)]
