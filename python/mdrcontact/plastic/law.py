@@ -105,9 +105,10 @@ class PlasticLaw:
 
     Notes
     -----
-    The law warns by `LargeStrainWarning` if a > 0.1 R at the largest depth. The error of F and d is 0.2 % against finite elements with a rigid partner or an equal one. With an elastic partner of the same
-    modulus it is up to 4 % of F and 3 % of d, with one four times as stiff 0.5 and 1.2 %. Damping is added by the program that
-    moves the bodies, from `stiffness`.
+    The law warns by `LargeStrainWarning` if a > 0.1 R at the largest depth. The error of F and d is 0.2 % against finite elements
+    with a rigid partner or an equal one. With an elastic partner of the same modulus it is up to 4 % of F and 3 % of d from
+    a E*/(R Y) = 8 on, with one four times as stiff 0.5 and 1.2 %. Damping is added by the program that moves the bodies, from
+    `stiffness`.
 
     Adhesion acts at the edge, as in the contact of Johnson, Kendall and Roberts, which the law is up to yield. On first loading
     beyond yield the edge condition is superposed, a model; on unloading it is exact for the imprint.
@@ -247,8 +248,8 @@ class PlasticLaw:
             The radius is outside its range, the law has adhesion, or it is that of a table.
         """
         law = PlasticLaw.__new__(PlasticLaw)
-        law._own(native.plastic_law_with_radius(self._handle, number("radius", radius)))
         first = self._source[1] if self._source[0] == "scaled" else self
+        law._own(native.plastic_law_with_radius(first._handle, number("radius", radius)))
         law._source = ("scaled", first, law.radius)
         law.warnings = self.warnings
         return law

@@ -84,8 +84,8 @@ module mdrcontact_plastic_law
 
     interface
         function mdrcontact_plastic_view(buffer, view) result(status) bind(C)
-            import :: c_double, c_int, plastic_view_t
-            real(c_double), intent(in) :: buffer(*)
+            import :: c_int, c_ptr, plastic_view_t
+            type(c_ptr), intent(in), value :: buffer
             type(plastic_view_t), intent(inout) :: view
             integer(c_int) :: status
         end function mdrcontact_plastic_view
@@ -94,17 +94,18 @@ module mdrcontact_plastic_law
             import :: c_double, c_int, c_ptr, plastic_view_t
             type(plastic_view_t), intent(in) :: view
             integer(c_int), intent(in), value :: n, is_trial
-            real(c_double), intent(in) :: depth(*)
+            real(c_double), intent(in) :: depth(n)
             type(c_ptr), intent(in), value :: memory, force, slope, radius
             integer(c_int) :: done
         end function mdrcontact_plastic_steps
 
         function mdrcontact_plastic_energies(view, n, depth, memory, stored, dissipated) result(done) bind(C)
-            import :: c_double, c_int, plastic_view_t
+            import :: c_double, c_int, c_ptr, plastic_view_t
             type(plastic_view_t), intent(in) :: view
             integer(c_int), intent(in), value :: n
-            real(c_double), intent(in) :: depth(*), memory(*)
-            real(c_double), intent(inout) :: stored(*), dissipated(*)
+            real(c_double), intent(in) :: depth(n)
+            type(c_ptr), intent(in), value :: memory
+            real(c_double), intent(inout) :: stored(n), dissipated(n)
             integer(c_int) :: done
         end function mdrcontact_plastic_energies
 
@@ -128,11 +129,11 @@ contains
 
     !> The view of a law, which must outlive it.
     function view_of(law) result(view)
-        type(plastic_law_t), intent(in) :: law
+        type(plastic_law_t), intent(in), target :: law
         type(plastic_view_t) :: view
         integer(c_int) :: status
 
-        status = mdrcontact_plastic_view(law%buffer, view)
+        status = mdrcontact_plastic_view(c_loc(law%buffer), view)
     end function view_of
 
     !> One step of each of many contacts, on `threads` threads (0: as many as the runtime offers). After an error all memories are
@@ -232,7 +233,7 @@ contains
         !> [length]
         real(wp), intent(in), contiguous :: depth(:)
         !> (memory_size(), n)
-        real(wp), intent(in), contiguous :: memory(:, :)
+        real(wp), intent(in), contiguous, target :: memory(:, :)
         real(wp), intent(inout), contiguous :: stored(:), dissipated(:)
         type(error_t), allocatable, intent(inout) :: error
         type(plastic_view_t) :: view
@@ -250,7 +251,7 @@ contains
             if (allocated(error)) call raise_at(error, i)
         end do
         if (allocated(error)) return
-        i = int(mdrcontact_plastic_energies(view, int(n, c_int), depth, memory, stored, dissipated))
+        i = int(mdrcontact_plastic_energies(view, int(n, c_int), depth, c_loc(memory), stored, dissipated))
         if (i < n) call raise(error, error_domain, " = "//to_text(depth(i + 1))//": the contact leaves the range of the law. "// &
                               "Increase largest_depth", "depth", i + 1)
     end subroutine energies

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> First loading of a paraboloid on an elastic and perfectly plastic half-space, for any Poisson's ratio (theory/plastic.md (4.1), (4.5)-(4.7)).
+!> First loading of a paraboloid on an elastic and perfectly plastic half-space, for any Poisson's ratio
+!> (theory/plastic.md (4.1), (4.5)-(4.7)).
 !>
 !> With L = a E*/(R Y): F = pi a^2 Y P(L), d = (a^2/R) D(L), and the line load on the axis is q(0) = S(L) F/(pi a). Below first
 !> yield, L <= L_y, these are Hertz's P = 4 L/(3 pi), D = 1, S = 3 pi/4. Beyond it they are series through finite elements.

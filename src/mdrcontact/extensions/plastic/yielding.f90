@@ -47,8 +47,8 @@ contains
         if (size(strain) == 0) call raise(error, error_invalid, "hardening: it is empty. Give at least one point")
         do i = 1, size(strain)
             if (allocated(error)) return
-            call check_not_negative(error, "strain", strain(i), i)
-            call check_positive(error, "yield_stress", stress(i), i)
+            call check_not_negative(error, "strain", strain(i), entry=merge(i, 0, size(strain) > 1))
+            call check_positive(error, "yield_stress", stress(i), entry=merge(i, 0, size(strain) > 1))
             if (i > 1 .and. .not. allocated(error)) call check_rising(strain(i - 1:i), stress(i - 1:i), i, error)
         end do
         if (allocated(error)) return

@@ -24,6 +24,8 @@ module mdrcontact_plastic_law_new
 
     !> Largest a/R of the law, and from which on it has an error that is stated.
     real(wp), parameter :: steepest = 0.3_wp, steep = 0.1_wp
+    !> With adhesion the curve reaches this part of the depth beyond the largest one, more than polynomials differ from it.
+    real(wp), parameter :: beyond = 1.0e-8_wp
     !> Largest factor of with_radius and its inverse: no number of a law leaves the range of numbers.
     real(wp), parameter :: largest_factor = 1.0e30_wp
     !> Most steps of a search.
@@ -121,7 +123,8 @@ contains
         first = loading%at_depth(loading%first)
         call check_adhesion(self, first, error)
         last = loading%at_depth(loading%last)
-        end_depth = last%depth - sqrt(line*last%radius)
+        end_depth = last%depth
+        if (line > 0.0_wp) end_depth = end_of(last, line)
         if (.not. allocated(error)) call check_range(self, largest_depth, end_depth, last, error)
         if (allocated(error)) return
         highest = without_adhesion(loading, first, largest_depth, line)
@@ -193,8 +196,17 @@ contains
             end if
             if (high - low <= epsilon(1.0_wp)*high) exit
         end do
-        found = high
+        found = min(high*(1.0_wp + beyond), loading%last)
     end function without_adhesion
+
+    !> The largest depth of a law with adhesion whose curve ends at a state.
+    pure function end_of(last, line) result(depth)
+        type(loaded_t), intent(in) :: last
+        real(wp), intent(in) :: line
+        real(wp) :: depth
+
+        depth = last%depth*(1.0_wp - beyond) - sqrt(line*last%radius)
+    end function end_of
 
     !> The elastic law, of the paraboloid and modulus that the curve begins with; up to the largest depth, as that of a contact
     !> that does not yield.
@@ -284,7 +296,10 @@ contains
         if (allocated(error)) return
         call check_not_negative(error, "work_of_adhesion", chosen%work_of_adhesion)
         if (allocated(error)) return
-        largest_depth = depth(size(depth)) - sqrt(2.0_wp*pi*chosen%work_of_adhesion/modulus*radius(size(radius)))
+        largest_depth = loading%last
+        if (chosen%work_of_adhesion > 0.0_wp) then
+            largest_depth = end_of(loading%at_depth(loading%last), 2.0_wp*pi*chosen%work_of_adhesion/modulus)
+        end if
         if (.not. largest_depth > 0.0_wp) then
             call raise(error, error_domain, "work_of_adhesion = "//to_text(chosen%work_of_adhesion)//": the curve ends before "// &
                        "a contact with this adhesion is pressed. Continue the curve")
