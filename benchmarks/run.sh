@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=build/benchmarks
 cmake -S . -B "$build" -DMDRCONTACT_BUILD_BENCHMARKS=ON -DMDRCONTACT_BUILD_TESTS=OFF -DMDRCONTACT_BUILD_EXAMPLES=OFF > /dev/null
-cmake --build "$build" --parallel 2 --target law_cost law_external exact_states > /dev/null
+cmake --build "$build" --parallel 2 --target law_cost law_external exact_states plastic_law_cost > /dev/null
 [[ -d $build/venv ]] || python3 -m venv "$build/venv"
 "$build/venv/bin/pip" install --quiet . scipy matplotlib
 for package in tamaas ContactMechanics aspher; do
@@ -20,6 +20,8 @@ mkdir -p "$page"
 echo >> "$page/benchmarks.md"
 late=()
 "$build/benchmarks/exact_states" >> "$page/benchmarks.md" || late+=(exact_states)
+echo >> "$page/benchmarks.md"
+"$build/benchmarks/plastic_law_cost" >> "$page/benchmarks.md" || late+=(plastic_law_cost)
 for section in pairs stresses histories tangential coatings tension conduction wear fits; do
     echo >> "$page/benchmarks.md" # a heading right behind a table would be a row of it
     "$build/venv/bin/python" "benchmarks/$section.py" >> "$page/benchmarks.md" || late+=("$section")

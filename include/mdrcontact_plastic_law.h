@@ -68,6 +68,10 @@ typedef struct mdr_plastic_point {
  *  @param buffer  written by mdr_plastic_law_buffer(); read here
  *  @param there   address of the same numbers where the view is used
  *  @param view    receives the view
+ *  @code
+ *  mdr_plastic_view plastic_device;
+ *  status = mdr_plastic_view_at(plastic_numbers, plastic_numbers, &plastic_device);
+ *  @endcode
  */
 MDR_INLINE int mdr_plastic_view_at(const double *buffer, const double *there, mdr_plastic_view *view)
 {
@@ -421,6 +425,10 @@ MDR_INLINE int mdr_plastic_sticky_state(const mdr_plastic_view *view, const doub
  *  @param memory  of the contact: one number, with adhesion two, all 0 before the first step
  *  @param F       receives the normal force [modulus length^2]
  *  @param slope   receives dF/dd along the path [modulus length]
+ *  @code
+ *  double memory[1] = {0}, F, slope;
+ *  status = mdr_plastic_view_advance(&plastic_view, 5e-6, memory, &F, &slope);
+ *  @endcode
  */
 MDR_INLINE int mdr_plastic_view_advance(const mdr_plastic_view *view, double d, double memory[], double *F, double *slope)
 {
@@ -447,8 +455,13 @@ MDR_INLINE int mdr_plastic_view_advance(const mdr_plastic_view *view, double d, 
  *  @param memory  of the contact, as in mdr_plastic_view_advance()
  *  @param after   or NULL: receives the memory that mdr_plastic_view_advance() would leave
  *  @param point   receives the state
+ *  @code
+ *  const double memory[1] = {6e-6};
+ *  mdr_plastic_point point;
+ *  status = mdr_plastic_view_try(&plastic_view, 5.5e-6, memory, NULL, &point);
+ *  @endcode
  */
-MDR_INLINE int mdr_plastic_view_attempt(const mdr_plastic_view *view, double d, const double memory[], double after[],
+MDR_INLINE int mdr_plastic_view_try(const mdr_plastic_view *view, double d, const double memory[], double after[],
                                         mdr_plastic_point *point)
 {
     int status;
@@ -474,6 +487,11 @@ MDR_INLINE int mdr_plastic_view_attempt(const mdr_plastic_view *view, double d, 
  *  @param memory      of the contact, as in mdr_plastic_view_advance(); a step to d is taken without a change of it
  *  @param stored      receives the work that the contact gives back, less with adhesion that of its surfaces [modulus length^3]
  *  @param dissipated  receives what plastic flow and jumps have taken since the first step [modulus length^3]
+ *  @code
+ *  const double memory[1] = {6e-6};
+ *  double stored, dissipated;
+ *  status = mdr_plastic_view_energies(&plastic_view, 5.5e-6, memory, &stored, &dissipated);
+ *  @endcode
  */
 MDR_INLINE int mdr_plastic_view_energies(const mdr_plastic_view *view, double d, const double memory[], double *stored,
                                          double *dissipated)

@@ -109,7 +109,11 @@ module mdrcontact
     use mdrcontact_conduction_table, only: tabulate_conductance
     use mdrcontact_conduction_transient, only: gaussian, uniform_centre, uniform_mean
     use mdrcontact_plastic_imprint, only: imprint_t, new_imprint, new_imprint_from_pressure, new_imprint_of_two_terms
+    use mdrcontact_plastic_law, only: plastic_law_t, plastic_steps_t
+    use mdrcontact_plastic_law_new, only: new_plastic_law, new_plastic_law_from_points, plastic_options_t, &
+                                          plastic_law_with_radius => with_radius
     use mdrcontact_plastic_profile, only: imprint_profile_t
+    use mdrcontact_plastic_yielding, only: new_elastic, new_yielding, yield_stress_from_hardness, yielding_t
     use mdrcontact_poroelastic_gel, only: drains_by_surface, sealed, sealed_by_indenter
     use mdrcontact_poroelastic_compliance, only: poroelastic_compliance
     use mdrcontact_poroelastic_history, only: poroelastic_history

@@ -5,6 +5,7 @@
 
 #include <mdrcontact/all.h>
 #include <mdrcontact_law.h>
+#include <mdrcontact_plastic_law.h>
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,6 +27,9 @@ static mdr_law_view view;
 static mdr_rate *rate;
 static mdr_rate_options rate_options;
 static mdr_wear *wear, *punch_wear;
+static mdr_plastic_law *plastic_law;
+static mdr_plastic_view plastic_view;
+static double plastic_numbers[20000];
 static mdr_wear_history *wear_history;
 static mdr_conduction *conduction;
 static mdr_poroelastic *poroelastic;
@@ -103,6 +107,21 @@ static int make_contacts(void)
     return failed;
 }
 
+/* A steel ball of 1 mm that yields, up to 10 um. */
+static int make_plastic(void)
+{
+    const double strain = 0.0, Y = 1e9;
+    mdr_yielding *steel = NULL;
+    mdr_profile *large = NULL;
+    const int failed = mdr_yielding_new(200e9, 0.3, 1, &strain, &Y, &steel) || mdr_profile_paraboloid(1e-3, &large)
+        || mdr_plastic_law_new(large, steel, 10e-6, NULL, &plastic_law)
+        || mdr_plastic_law_buffer(plastic_law, 20000, plastic_numbers)
+        || mdr_plastic_view_at(plastic_numbers, plastic_numbers, &plastic_view);
+    MDR_FREE(steel);
+    MDR_FREE(large);
+    return failed;
+}
+
 /* What is made of the contacts. */
 static int make_others(void)
 {
@@ -125,7 +144,7 @@ static int make_others(void)
         || mdr_wear_new(contact, 1, &k, NULL, k, &wear) || mdr_wear_new(punch_contact, 1, &k, NULL, 0.0, &punch_wear)
         || mdr_wear_history_new(wear, MDR_FORCE, 1e-3, NULL, &wear_history)
         || mdr_poroelastic_new(0.3, MDR_DRAINAGE_SURFACE, 0.0, NULL, &poroelastic)
-        || mdr_structure_shapes(3e9, 0.35, 0, NULL, NULL, NULL, NULL, NULL, &structure);
+        || mdr_structure_shapes(3e9, 0.35, 0, NULL, NULL, NULL, NULL, NULL, &structure) || make_plastic();
 }
 
 /* A fit of the modulus of the film to its own force-depth curve. */

@@ -575,7 +575,7 @@ def test_copies_and_pickles():
     for made in (law, sticky, table, law.with_radius(3.0).with_radius(0.5)):
         for other in (pickle.loads(pickle.dumps(made)), copy.copy(made), copy.deepcopy(made)):
             assert other == made and hash(other) == hash(made) and repr(other) == repr(made)
-            assert np.array_equal(other.buffer, made.buffer) and other.warnings == made.warnings
+            assert np.array_equal(other.buffer(), made.buffer()) and other.warnings == made.warnings
     assert law != sticky and law != 3
     assert pickle.loads(pickle.dumps(metal)) == metal and eval(repr(metal), {**vars(mdr), "Yielding": Yielding}) == metal
 

@@ -499,11 +499,13 @@ class PlasticLaw:
         m = number("mass", mass)
         return evaluate("speed", speed, lambda V: native.plastic_law_restitution(self._handle, m, V))
 
-    @property
     def buffer(self) -> Reals:
-        """All numbers of the law, for the inline functions of C.
+        """Return all numbers of the law, for the inline functions of C.
 
-        They are those of `mdrcontact_plastic_law.h`.
+        Returns
+        -------
+        ndarray
+            The numbers that `mdrcontact_plastic_law.h` evaluates.
         """
         size = int(self._facts["buffer_size"])
         numbers_of_law = np.zeros(size)
@@ -514,10 +516,10 @@ class PlasticLaw:
         return _remade, self._source
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, PlasticLaw) and np.array_equal(self.buffer, other.buffer)
+        return isinstance(other, PlasticLaw) and np.array_equal(self.buffer(), other.buffer())
 
     def __hash__(self) -> int:
-        return hash(self.buffer.tobytes())
+        return hash(self.buffer().tobytes())
 
     def __repr__(self) -> str:
         kind = self._source[0]
