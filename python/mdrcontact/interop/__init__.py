@@ -9,8 +9,9 @@ from __future__ import annotations
 from typing import Any
 
 from ..law import ContactLaw
+from ..plastic import PlasticLaw
 
-__all__ = ["jax_function", "numba_function", "torch_function"]
+__all__ = ["jax_function", "jax_plastic_function", "numba_function", "numba_plastic_function", "torch_function"]
 
 
 def numba_function(law: ContactLaw, branch: str = "unloading") -> Any:
@@ -43,3 +44,25 @@ def torch_function(law: ContactLaw, quantity: str = "force", branch: str = "unlo
     from ._torch import function
 
     return function(law, quantity, branch)
+
+
+def numba_plastic_function(law: PlasticLaw) -> Any:
+    """A function of numba that takes one depth d [length] and the largest depth of the contact before it [length], at first 0, and
+    returns F [modulus length^2], dF/dd [modulus length] and the largest depth after it; NaN where the law raises. The law is
+    without adhesion. It is bitwise identical to the law but for the arc sine of the C library.
+    """
+    from ._plastic_numba import function
+
+    return function(law)
+
+
+def jax_plastic_function(law: PlasticLaw) -> Any:
+    """A function of JAX that takes depths of any shape and the largest depths of the contacts before them, at first 0, and returns
+    F [modulus length^2] and the largest depths after them; NaN where the law raises. The law is without adhesion. It passes through
+    jit, vmap and grad.
+
+    InvalidArgumentError unless JAX computes in double precision, `jax.config.update("jax_enable_x64", True)`.
+    """
+    from ._plastic_jax import function
+
+    return function(law)

@@ -594,6 +594,35 @@ def law_shear(law: Any) -> Numbers:
     return {"": np.ravel(found), "energies": np.ravel(law.energies(memory))}
 
 
+# laws of contacts that yield
+
+
+@answer("PlasticLaw.advance", "PlasticLaw.try_", "PlasticLaw.contacts", "PlasticLaw.energies", tolerance=1e-6)
+def plastic_steps(law: Any) -> Numbers:
+    memory, found = law.contacts(1), []
+    for depth in (0.008, 0.016, 0.0155):
+        law.try_(memory, [depth])
+        found += [*law.advance(memory, [depth]), *law.energies(memory, [depth])]
+    return {"": np.ravel(found)}
+
+
+@answer("PlasticLaw.loading", "PlasticLaw.restitution", tolerance=1e-6)
+def plastic_loading(law: Any) -> Numbers:
+    state = law.loading([1e-4, 0.016])
+    return {"": np.ravel(state), "e": law.restitution(1.0, [0.001, 0.003])}
+
+
+@answer("PlasticLaw.with_radius", tolerance=1e-6)
+def plastic_with_radius(law: Any) -> Numbers:
+    return {"": law.with_radius(3.0).loading(0.01).force}
+
+
+@answer("PlasticLaw.buffer", "PlasticLaw.largest_depth", "PlasticLaw.tolerance", tolerance=1e-6)
+def plastic_facts(law: Any) -> Numbers:
+    sizes = law.largest_depth, law.largest_force, law.yield_depth, law.yield_force, law.modulus, law.work_of_adhesion
+    return {"": np.array([*sizes, law.tolerance, law.radius]), "buffer": law.buffer()}
+
+
 # conduction
 
 

@@ -20,6 +20,7 @@ from mdrcontact.closed_forms import (
     reduced_adhesive_depth,
 )
 from mdrcontact.conduction import INSULATING, PERFECT, Conduction, Conductor, LayeredConductor, TabulatedConduction
+from mdrcontact.plastic import PlasticLaw, Yielding
 from mdrcontact.poroelastic import Poroelastic
 from mdrcontact.wear import Wear, wear_coefficient_from_scar, wear_coefficient_from_volume
 
@@ -389,6 +390,21 @@ def _laws() -> list[Scene]:
     ]  # fmt: skip
 
 
+def _plastic_laws() -> list[Scene]:
+    rising = Yielding(mdr.Elastic(1.0, 0.3), hardening=[(0.0, 2e-3), (0.01, 2.1e-3), (0.03, 2.2e-3)])
+    flat = Yielding(mdr.Elastic(1.0, 0.3), yield_stress=2e-3)
+
+    def law(**given: Any) -> Call:
+        return Call("PlasticLaw", PlasticLaw, profile=mdr.Paraboloid(4.0), largest_depth=0.02, tolerance=1e-7, **given)
+
+    rows = ("plastic_steps", "plastic_loading", "plastic_facts")
+    return [
+        Scene("plastic law", law(metal=flat, other=mdr.Elastic(3.0, 0.25)), (*rows, "plastic_with_radius")),
+        Scene("plastic law with hardening", law(metal=rising), rows),
+        Scene("plastic law with adhesion", law(metal=flat, work_of_adhesion=3e-8), rows),
+    ]
+
+
 SPOTS = ("spot", "spot_fields", "conduction_compliance", "friction_heat", "along", "tabulated")
 LATE = ("conduction_compliance_omega", "conduction_step", "conduction_follow", "admittance", "step_flux")
 
@@ -514,6 +530,6 @@ def all_scenes() -> list[Scene]:
         Scene("material", AXIAL, ("material_modulus", "material_tangential")),
         Scene("engineered material", ENGINEERED, ("material_modulus", "material_tangential")),
         Scene("isotropic material", FILM, ("material_modulus",)),
-        *_elastic(), *_models(), *_graded(), *_indenters(), *_adhesion(), *_time(), *_gels(), *_friction(), *_wear(), *_laws(),
+        *_elastic(), *_models(), *_graded(), *_indenters(), *_adhesion(), *_time(), *_gels(), *_friction(), *_wear(), *_laws(), *_plastic_laws(),
         *_conduction(), *_lateral(), *_functions(), *_requests(),
     ]  # fmt: skip

@@ -104,7 +104,7 @@ contains
     end subroutine new_paraboloid_loading
 
     !> The state at L = a_1 E_1*/(R_1 Y) of the body that yields, which sees a partner that is flattened (theory/plastic.md
-    !> (4.3)-(4.5)); Y at the strain 0.2 a/R.
+    !> (4.9)-(4.11)); Y at the strain 0.2 a/R, (4.8).
     pure function at_load(self, load) result(state)
         class(paraboloid_loading_t), intent(in) :: self
         !> [1]

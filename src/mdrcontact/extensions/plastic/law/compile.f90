@@ -311,7 +311,7 @@ contains
         buffer(places(3) + 1:places(3) + row) = in_units_of(polynomial_of, unit)
     end subroutine pack_panel
 
-    !> The integral of l(a) (2 E* a - dF/dd) over the depth (theory/plastic.md (3.3)): what first loading with adhesion takes less.
+    !> The integral of l(a) (2 E* a - dF/dd) over the depth (theory/plastic.md (9.6)): what first loading with adhesion takes less.
     pure subroutine find_tension(c, half, modulus, line, taken, tension)
         real(wp), intent(in) :: c(row, columns), half, modulus, line
         real(wp), intent(inout) :: taken

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A plastic law in the operations that NumPy and JAX share: mdrcontact_plastic_law.h again, without adhesion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from .._law_arrays import LawArrays, law_arrays
+from ..errors import InvalidArgumentError
+from ..plastic import PlasticLaw
+from ._generic import Branch, _polynomial
+
+HEAD = ("format", "size", "elastic", "yield", "highest", "scale", "offset", "bits", "panels", "edges", "rows", "energy", "tension",
+        "modulus", "line", "radius")  # fmt: skip
+"""Members of mdr_plastic_head."""
+
+
+class _Elastic:
+    """The elastic law in the buffer of a plastic one, for `Branch`."""
+
+    def __init__(self, parts: LawArrays) -> None:
+        self.parts = parts
+
+    def arrays(self) -> LawArrays:
+        """Its numbers."""
+        return self.parts
+
+
+class Numbers:
+    """The buffer of a law, in parts."""
+
+    def __init__(self, law: PlasticLaw) -> None:
+        if law.work_of_adhesion:
+            raise InvalidArgumentError(
+                f"work_of_adhesion = {law.work_of_adhesion!r}: these functions hold without adhesion. Use `advance`"
+            )
+        buffer = law.buffer()
+        self.head = dict(zip(HEAD, buffer.tolist(), strict=False))
+        panels, rows = int(self.head["panels"]), int(self.head["rows"])
+        self.elastic = law_arrays(buffer[int(self.head["elastic"]) :])
+        self.rows = buffer[rows : rows + 24 * panels].reshape(panels, 24).copy()
+        edges = int(self.head["edges"])
+        self.edges = buffer[edges : edges + panels + 1].copy() if edges else None
+
+
+class Steps:
+    """F and the largest depth after steps, for arrays of depths and of largest depths before them. Arguments as of `Branch`."""
+
+    def __init__(self, law: PlasticLaw, xp: Any, place: Callable[[Any], Any], constant: Callable[[Any], Any]) -> None:
+        of = Numbers(law)
+        self.head, self.xp, self.constant = of.head, xp, constant
+        elastic: Any = _Elastic(of.elastic)
+        self.elastic = Branch(elastic, "force", "unloading", xp, place, constant)
+        self.rows = place(of.rows)
+        self.edges = None if of.edges is None else place(of.edges)
+
+    def __call__(self, depth: Any, deepest: Any) -> tuple[Any, Any]:
+        """F, and the largest depth; NaN beyond the range."""
+        xp, head = self.xp, self.head
+        first, last = head["yield"], head["highest"]
+        kept = xp.where(depth > deepest, depth, deepest)
+        on_first = (depth >= deepest) | (deepest <= first)
+        force = self.elastic(xp.where(depth < first, depth, first))
+        if len(self.rows):
+            beyond = xp.where(depth > first, xp.where(depth < last, depth, last), last)
+            force = xp.where(depth > first, _polynomial(self._place(beyond)[0][..., :8], self._place(beyond)[1]), force)
+            at = xp.where(on_first, last, xp.where(deepest < last, deepest, last))
+            force = xp.where(on_first, force, self._unloading(at, xp.where(on_first, 0.5 * last, depth)))
+        known = (abs(depth) <= np.finfo(float).max) & (deepest >= 0.0) & (kept <= last)
+        return xp.where(known, force, np.nan), xp.where(known, kept, np.nan)
+
+    def _place(self, depth: Any) -> tuple[Any, Any]:
+        """The rows of the panels beyond yield, and the places in them."""
+        xp, head = self.xp, self.head
+        if self.edges is not None:
+            panel = xp.clip(xp.searchsorted(self.edges, self.constant(depth)) - 1, 0, len(self.rows) - 1)
+            low, high = self.edges[panel], self.edges[panel + 1]
+            return self.rows[panel], ((depth - low) + (depth - high)) / (high - low)
+        y = head["scale"] * depth + head["offset"]
+        mantissa, exponent = xp.frexp(self.constant(y))
+        panels = 2.0 ** head["bits"]
+        in_octave = xp.floor((2.0 * mantissa - 1.0) * panels)
+        middle = 2.0 ** (exponent - 1.0) * (1.0 + (in_octave + 0.5) / panels)
+        panel = ((exponent - 1) * panels + in_octave).astype(np.int64)
+        return self.rows[panel], y - middle
+
+    def _unloading(self, deepest: Any, depth: Any) -> Any:
+        """F of the imprint of the largest depth, theory/plastic.md (2.3)-(2.10)."""
+        xp, modulus = self.xp, self.head["modulus"]
+        row, t = self._place(deepest)
+        radius, uniform = _polynomial(row[..., 8:16], t), _polynomial(row[..., 16:], t)
+        uniform = xp.where(uniform > 0.0, uniform, 0.0)
+        hertz = 0.75 * _polynomial(row[..., :8], t) / (modulus * radius) - 0.375 * np.pi * uniform
+        y = deepest - depth
+        w = hertz + uniform - y
+        closed = w > 0.0
+        # t = 1 - s, from the end that does not cancel
+        y, w = xp.where(closed, y, 0.5 * (hertz + uniform)), xp.where(closed, w, 0.5 * (hertz + uniform))
+        s = 2.0 * y / (uniform + xp.sqrt(xp.where(y > 0.0, uniform**2 + 4.0 * hertz * y, 1.0)))
+        steep = uniform + 2.0 * hertz
+        root = steep**2 - 4.0 * hertz * w
+        left = 2.0 * w / (steep + xp.sqrt(xp.where(root > 0.0, root, 0.0 * root + 1e-300)))
+        near = s > 0.75
+        s = xp.where(near, 1.0 - left, s)
+        u = xp.sqrt(xp.where(near, left * (2.0 - left), (1.0 - s) * (1.0 + s)))
+        q, small = u * u, u < 0.1
+        series = u * q * (1.0 / 3.0 + q * (0.1 + q * (3.0 / 56.0 + q * (5.0 / 144.0 + q * (35.0 / 1408.0 + q * (63.0 / 3328.0))))))
+        steep_edge = s < u
+        angle = xp.where(
+            steep_edge,
+            0.5 * np.pi - xp.arcsin(xp.where(steep_edge, s, 0.0)),
+            xp.arcsin(xp.where(steep_edge, 0.0, u)),
+        )
+        segment = xp.where(small, series, 0.5 * (angle - u * s))
+        return xp.where(closed, 2.0 * modulus * radius * (2.0 / 3.0 * hertz * u * q + uniform * segment), 0.0)
