@@ -15,7 +15,7 @@ module mdrcontact_wear_disc
     use mdrcontact_lapack, only: dgesv
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_wear_hats, only: hat_points, hats_t, line_compliance
+    use mdrcontact_medium_hats, only: hat_points, hats_t, line_compliance
     use mdrcontact_wear_history_on_disc, only: disc_t, wear_history_on_disc_t, new_wear_history_on_disc
     use mdrcontact_wear_rate, only: wear_rate_t
     implicit none (type, external)

@@ -20,7 +20,7 @@ module mdrcontact_wear_history
     use mdrcontact_wear, only: wear_t
     use mdrcontact_medium_solver, only: check_springs
     use mdrcontact_wear_disc, only: step_disc, worn_volume
-    use mdrcontact_wear_hats, only: hats_t, new_hats
+    use mdrcontact_medium_hats, only: hats_t, new_hats
     use mdrcontact_wear_history_on_disc, only: disc_t, wear_history_on_disc_t, new_wear_history_on_disc
     use mdrcontact_wear_limit, only: check_carries, check_control
     use mdrcontact_wear_past, only: check_fits, find_mark, past_size, read_past, save_past, wear_past_t, wearing_t

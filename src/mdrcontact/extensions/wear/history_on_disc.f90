@@ -2,7 +2,7 @@
 !> History of each place of a worn disc: int p ds and the pressure, between the places where they are kept.
 module mdrcontact_wear_history_on_disc
     use mdrcontact_kinds, only: half_pi, wp
-    use mdrcontact_wear_hats, only: hat_nodes
+    use mdrcontact_medium_hats, only: hat_nodes
     implicit none (type, external)
     private
     public :: disc_t, wear_history_on_disc_t, new_wear_history_on_disc
@@ -17,7 +17,7 @@ module mdrcontact_wear_history_on_disc
         real(wp) :: extent = 0.0_wp
         !> whether the radii are those of rings that stay on the indenter
         logical :: stays = .false.
-        !> m of the radii, see mdrcontact_wear_hats
+        !> m of the radii, see mdrcontact_medium_hats
         integer :: power = 1
         !> p [modulus] and int p ds [modulus length] at the radii 0 ... n: both 0 at the edge of a disc
         real(wp), allocatable :: pressure(:), load(:)

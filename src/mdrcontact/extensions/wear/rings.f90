@@ -14,7 +14,7 @@ module mdrcontact_wear_rings
     use mdrcontact_lapack, only: dgemv, dgesv
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_wear_hats, only: hats_t, line_compliance
+    use mdrcontact_medium_hats, only: find_heights, hats_t, line_compliance
     use mdrcontact_wear_history_on_disc, only: disc_t
     use mdrcontact_wear_rate, only: wear_rate_t
     implicit none (type, external)
@@ -117,29 +117,6 @@ contains
 
         last = findloc(rings, .true., dim=1, back=.true.) - 1
     end function last_of
-
-    !> int phi_i f 2 pi r dr, and which rings lie on the indenter.
-    pure subroutine find_heights(hats, profile, extent, heights, reachable)
-        type(hats_t), intent(in) :: hats
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: extent
-        real(wp), intent(out) :: heights(0:)
-        logical, intent(out) :: reachable(0:)
-        integer :: c
-
-        heights = 0.0_wp
-        reachable = .true.
-        do c = 1, hats%n
-            if (extent*hats%nodes(c) > profile%largest_radius*(1.0_wp + epsilon(1.0_wp))) then
-                reachable(c - 1:) = .false.
-                exit
-            end if
-            associate (part => hats%weights(:, c)*extent**2*profile%height(extent*hats%radii(:, c)))
-                heights(c - 1) = heights(c - 1) + sum(part*(1.0_wp - hats%rising(:, c)))
-                heights(c) = heights(c) + sum(part*hats%rising(:, c))
-            end associate
-        end do
-    end subroutine find_heights
 
     !> The rings that touch, their pressures, and the depth.
     subroutine settle(matrix, radii, heights, areas, reachable, rate, load, sliding, by_depth, target, touching, pressure, depth, &

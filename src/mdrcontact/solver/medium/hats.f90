@@ -9,15 +9,16 @@
 !> have closed forms, and their Legendre coefficients need no quadrature over x: by the addition theorem
 !>
 !>     int_0^r P_2m(x)/sqrt(r^2 - x^2) dx = (pi/2) P_2m(0) P_2m(sqrt(1 - r^2)).
-module mdrcontact_wear_hats
+module mdrcontact_medium_hats
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_lapack, only: dgemm
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
+    use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: hats_t, new_hats, hat_points, hat_nodes, line_compliance
+    public :: hats_t, new_hats, hat_points, hat_nodes, line_compliance, find_heights
 
     !> Points of the rule in each interval for integrals over the disc, for line loads, and for Legendre coefficients.
     integer, parameter :: hat_points = 4, line_points = 16, wave_points = 16
@@ -240,4 +241,27 @@ contains
         matrix = (2.0_wp*a**3/modulus)*matrix
     end subroutine line_compliance
 
-end module mdrcontact_wear_hats
+    !> int phi_i f 2 pi r dr, and which rings lie on the indenter.
+    pure subroutine find_heights(hats, profile, extent, heights, reachable)
+        type(hats_t), intent(in) :: hats
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: extent
+        real(wp), intent(out) :: heights(0:)
+        logical, intent(out) :: reachable(0:)
+        integer :: c
+
+        heights = 0.0_wp
+        reachable = .true.
+        do c = 1, hats%n
+            if (extent*hats%nodes(c) > profile%largest_radius*(1.0_wp + epsilon(1.0_wp))) then
+                reachable(c - 1:) = .false.
+                exit
+            end if
+            associate (part => hats%weights(:, c)*extent**2*profile%height(extent*hats%radii(:, c)))
+                heights(c - 1) = heights(c - 1) + sum(part*(1.0_wp - hats%rising(:, c)))
+                heights(c) = heights(c) + sum(part*hats%rising(:, c))
+            end associate
+        end do
+    end subroutine find_heights
+
+end module mdrcontact_medium_hats
