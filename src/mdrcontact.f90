@@ -108,6 +108,8 @@ module mdrcontact
     use mdrcontact_conduction_source, only: sliding, spinning
     use mdrcontact_conduction_table, only: tabulate_conductance
     use mdrcontact_conduction_transient, only: gaussian, uniform_centre, uniform_mean
+    use mdrcontact_plastic_cap, only: cap_state_t, cap_t, new_cap, truncated_hertz
+    use mdrcontact_plastic_overload, only: new_overload, overload_state_t, overload_t
     use mdrcontact_plastic_imprint, only: imprint_t, new_imprint, new_imprint_from_pressure, new_imprint_of_two_terms
     use mdrcontact_plastic_law, only: plastic_law_t, plastic_steps_t
     use mdrcontact_plastic_law_new, only: new_plastic_law, new_plastic_law_from_points, plastic_options_t, &

@@ -33,6 +33,8 @@ TYPES = {
     "mdr_state": "type(contact_state_t)",
     "mdr_wear_state": "type(wear_state_t)",
     "mdr_rate_state": "type(rate_state_t)",
+    "mdr_overload_state": "type(overload_state_t)",
+    "mdr_cap_state": "type(cap_state_t)",
 }
 OBJECTS = {kind: (of_type, clause) for part in (*EXTENSIONS.values(), CORE) for kind, of_type, _, clause in reversed(part)}
 # The class that a function returns a new object as, where not class(*).

@@ -29,6 +29,8 @@ EXTENSIONS = {
         ("mdr_imprint", "imprint_t", "mdrcontact_plastic_imprint", "type"),
         ("mdr_yielding", "yielding_t", "mdrcontact_plastic_yielding", "type"),
         ("mdr_plastic_law", "plastic_law_t", "mdrcontact_plastic_law", "type"),
+        ("mdr_overload", "overload_t", "mdrcontact_plastic_overload", "type"),
+        ("mdr_cap", "cap_t", "mdrcontact_plastic_cap", "type"),
     ],
     "lateral": [("mdr_structure", "structure_t", "mdrcontact_lateral_structure", "class")],
 }

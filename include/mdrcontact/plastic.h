@@ -356,7 +356,134 @@ int mdr_plastic_law_restitution(const mdr_plastic_law *law, double mass, int n, 
  */
 int mdr_plastic_law_buffer(const mdr_plastic_law *law, int size, double buffer[]);
 
+/* ---- Coated bodies and other profiles: the overload rule ---- */
+
+/** First loading of coated bodies, and of indenters between a cone and a paraboloid, by the overload rule. Immutable. Created by
+ *  mdr_overload_new(). */
+typedef struct mdr_overload mdr_overload;
+
+/** Create the overload rule of an elastic contact, a model: with the mean pressure p of the elastic contact at the same radius, Lambda
+ *  = (3 pi/4) p/Y determines force and depth as for a paraboloid on a half-space (theory/plastic.md (7.1)-(7.3)).
+ *  @param c             contact without adhesion of a rigid indenter with a homogeneous or an exact medium
+ *  @param n             number of materials: layers and half-space
+ *  @param yield_stress  [n] of each material, top to bottom, > 0; of all but the first one also infinite [modulus]
+ *  @param out           receives the handle
+ *  @return also MDR_EINVALID for a Poisson's ratio of the surface outside [0, 0.49]
+ *  @code
+ *  const double yield_stress[2] = {1e9, 4e9};
+ *  mdr_overload *rule = NULL;
+ *  status = mdr_overload_new(contact, 2, yield_stress, &rule);
+ *  MDR_FREE(rule);
+ *  @endcode
+ */
+int mdr_overload_new(const mdr_contact *c, int n, const double yield_stress[], mdr_overload **out);
+
+/** A state of first loading by the overload rule. */
+typedef struct mdr_overload_state {
+    double depth;       /**< d [length]. */
+    double radius;      /**< a [length]. */
+    double force;       /**< F [modulus length^2]. */
+    double load;        /**< Lambda, the overload; yield begins at 2.04 to 2.93 [1]. */
+    double uniform;     /**< Uniform part of the pressure, for mdr_imprint_two_terms() [modulus]. */
+    double hertz;       /**< Hertz's part of the pressure [modulus]. */
+    double force_error; /**< Relative error of F by comparison with finite elements; 0 before yield. */
+    double depth_error; /**< Relative error of d by comparison with finite elements; 0 before yield. */
+} mdr_overload_state;
+
+/** Compute states of first loading.
+ *  @param rule   overload rule
+ *  @param given  MDR_RADIUS, MDR_DEPTH or MDR_FORCE
+ *  @param n      number of states
+ *  @param value  [n] > 0, in the unit of the given quantity
+ *  @param out    [n] states
+ *  @return also MDR_EDOMAIN for a > 2 thicknesses of the surface layer, where a material below it yields, Lambda > 250, a/R > 0.3 of
+ *          a sphere, and where the mean elastic pressure falls; MDR_EINVALID for indenters blunter than a paraboloid or sharper than
+ *          a cone; MDR_ENOCONVERGENCE
+ *  @code
+ *  const double depth[2] = {10e-9, 20e-9};
+ *  mdr_overload_state states[2];
+ *  status = mdr_overload_states(rule, MDR_DEPTH, 2, depth, states);
+ *  @endcode
+ */
+int mdr_overload_states(const mdr_overload *rule, int given, int n, const double value[], mdr_overload_state out[]);
+
 /* ---- Pressure caps ---- */
+
+/** A contact whose pressure is at most a hardness. Immutable. Created by mdr_cap_new(). */
+typedef struct mdr_cap mdr_cap;
+
+/** Create a contact with 0 <= p <= H (theory/plastic.md (6.1)). With a hardness measured at that depth force and radius have an
+ *  error of 3 % up to a E/(R Y) = 32; a constant multiple of the yield stress is less accurate.
+ *  @param c         contact without adhesion, with a homogeneous or an exact medium
+ *  @param hardness  H > 0 [modulus]
+ *  @param out       receives the handle
+ *  @return also MDR_EINVALID for flat punches
+ *  @code
+ *  mdr_cap *cap = NULL;
+ *  status = mdr_cap_new(contact, 5e9, &cap);
+ *  MDR_FREE(cap);
+ *  @endcode
+ */
+int mdr_cap_new(const mdr_contact *c, double hardness, mdr_cap **out);
+
+/** A state under a pressure cap. */
+typedef struct mdr_cap_state {
+    double depth;          /**< d [length]. */
+    double radius;         /**< a [length]. */
+    double force;          /**< F [modulus length^2]. */
+    double capped_radius;  /**< Outermost radius at which p = H; 0: none [length]. */
+    double residual_depth; /**< Residual displacement on the axis, the depth at which unloading ends the contact [length]. */
+    double recovered_work; /**< Work that unloading gives back [modulus length^3]. */
+    double error;          /**< Relative error of F and d of the numerical solution, from two resolutions. */
+} mdr_cap_state;
+
+/** Compute states of first loading.
+ *  @param cap    pressure cap
+ *  @param given  MDR_RADIUS, MDR_DEPTH or MDR_FORCE
+ *  @param n      number of states
+ *  @param value  [n] > 0, in the unit of the given quantity
+ *  @param out    [n] states
+ *  @return also MDR_EDOMAIN for a force or depth beyond what the hardness supports up to the end of the indenter, and for contacts
+ *          that are not a single disc; MDR_ENOCONVERGENCE
+ *  @code
+ *  const double force = 1e-3;
+ *  mdr_cap_state state;
+ *  status = mdr_cap_states(cap, MDR_FORCE, 1, &force, &state);
+ *  @endcode
+ */
+int mdr_cap_states(const mdr_cap *cap, int given, int n, const double value[], mdr_cap_state out[]);
+
+/** Compute pressure and residual displacement of a state.
+ *  @param cap       pressure cap
+ *  @param radius    a > 0 of the state [length]
+ *  @param n         number of places
+ *  @param r         [n] >= 0 [length]
+ *  @param pressure  [n] p, 0 from a on, or NULL [modulus]
+ *  @param residual  [n] u_p, 0 where p < H, or NULL [length]
+ *  @return also MDR_EDOMAIN, MDR_ENOCONVERGENCE
+ *  @code
+ *  const double r[2] = {0.0, 0.5e-6};
+ *  double pressure[2], residual[2];
+ *  status = mdr_cap_pressure(cap, 1e-6, 2, r, pressure, residual);
+ *  @endcode
+ */
+int mdr_cap_pressure(const mdr_cap *cap, double radius, int n, const double r[], double pressure[], double residual[]);
+
+/** Compute the line load of Hertz's pressure cut at a hardness, min(p0 sqrt(1 - r^2/a^2), H): the model of Thornton (1997), in closed
+ *  form (theory/plastic.md (6.5)).
+ *  @param a         contact radius > 0 [length]
+ *  @param largest   p0 > 0 [modulus]
+ *  @param hardness  H > 0 [modulus]
+ *  @param n         number of places
+ *  @param x         [n] 0 <= x <= a [length]
+ *  @param out       [n] line loads [modulus length]
+ *  @code
+ *  const double x[2] = {0.0, 0.5e-6};
+ *  double q[2];
+ *  status = mdr_truncated_hertz(1e-6, 5e9, 3e9, 2, x, q);
+ *  @endcode
+ */
+int mdr_truncated_hertz(double a, double largest, double hardness, int n, const double x[], double out[]);
 
 #ifdef __cplusplus
 }
