@@ -422,6 +422,31 @@ plastic_law_facts = np.dtype(
     ],
     align=True,
 )
+overload_state = np.dtype(
+    [
+        ("depth", np.float64),
+        ("radius", np.float64),
+        ("force", np.float64),
+        ("load", np.float64),
+        ("uniform", np.float64),
+        ("hertz", np.float64),
+        ("force_error", np.float64),
+        ("depth_error", np.float64),
+    ],
+    align=True,
+)
+cap_state = np.dtype(
+    [
+        ("depth", np.float64),
+        ("radius", np.float64),
+        ("force", np.float64),
+        ("capped_radius", np.float64),
+        ("residual_depth", np.float64),
+        ("recovered_work", np.float64),
+        ("error", np.float64),
+    ],
+    align=True,
+)
 structure_options = np.dtype(
     [
         ("size", np.uintp),
@@ -785,6 +810,11 @@ POINTERS = {
     "plastic_law_loading": (0,),
     "plastic_law_restitution": (0,),
     "plastic_law_buffer": (0, 2),
+    "overload_new": (0,),
+    "overload_states": (0,),
+    "cap_new": (0,),
+    "cap_states": (0,),
+    "cap_pressure": (0,),
     "structure_shapes": (6,),
     "structure_voxels": (1, 7),
     "structure_function": (0, 1, 3),

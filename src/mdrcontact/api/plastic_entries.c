@@ -243,3 +243,84 @@ int mdr_plastic_law_buffer(const mdr_plastic_law *law, int size, double buffer[]
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
+
+int mdrcontact_entry_overload_new(const mdr_contact *c, int n, const double yield_stress[], mdr_overload **out);
+int mdr_overload_new(const mdr_contact *c, int n, const double yield_stress[], mdr_overload **out)
+{
+    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n > 0 && !yield_stress) return mdrcontact_refuse_null("yield_stress");
+    if (!out) return mdrcontact_refuse_null("out");
+    if (arithmetic_is_set()) return mdrcontact_entry_overload_new(c, n, yield_stress, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_overload_new(c, n, yield_stress, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_overload_states(const mdr_overload *rule, int given, int n, const double value[], mdr_overload_state out[]);
+int mdr_overload_states(const mdr_overload *rule, int given, int n, const double value[], mdr_overload_state out[])
+{
+    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n > 0 && !value) return mdrcontact_refuse_null("value");
+    if (n > 0 && !out) return mdrcontact_refuse_null("out");
+    if (arithmetic_is_set()) return mdrcontact_entry_overload_states(rule, given, n, value, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_overload_states(rule, given, n, value, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_cap_new(const mdr_contact *c, double hardness, mdr_cap **out);
+int mdr_cap_new(const mdr_contact *c, double hardness, mdr_cap **out)
+{
+    if (!out) return mdrcontact_refuse_null("out");
+    if (arithmetic_is_set()) return mdrcontact_entry_cap_new(c, hardness, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_cap_new(c, hardness, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_cap_states(const mdr_cap *cap, int given, int n, const double value[], mdr_cap_state out[]);
+int mdr_cap_states(const mdr_cap *cap, int given, int n, const double value[], mdr_cap_state out[])
+{
+    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n > 0 && !value) return mdrcontact_refuse_null("value");
+    if (n > 0 && !out) return mdrcontact_refuse_null("out");
+    if (arithmetic_is_set()) return mdrcontact_entry_cap_states(cap, given, n, value, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_cap_states(cap, given, n, value, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_cap_pressure(const mdr_cap *cap, double radius, int n, const double r[], double pressure[], double residual[]);
+int mdr_cap_pressure(const mdr_cap *cap, double radius, int n, const double r[], double pressure[], double residual[])
+{
+    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n > 0 && !r) return mdrcontact_refuse_null("r");
+    if (arithmetic_is_set()) return mdrcontact_entry_cap_pressure(cap, radius, n, r, pressure, residual);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_cap_pressure(cap, radius, n, r, pressure, residual);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_truncated_hertz(double a, double largest, double hardness, int n, const double x[], double out[]);
+int mdr_truncated_hertz(double a, double largest, double hardness, int n, const double x[], double out[])
+{
+    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n > 0 && !x) return mdrcontact_refuse_null("x");
+    if (n > 0 && !out) return mdrcontact_refuse_null("out");
+    if (arithmetic_is_set()) return mdrcontact_entry_truncated_hertz(a, largest, hardness, n, x, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_truncated_hertz(a, largest, hardness, n, x, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
