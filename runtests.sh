@@ -80,9 +80,10 @@ if $all; then
     check core with_progress "$log_dir/core.log" core
 fi
 
-# the C tests and the kept inputs of the fuzzers under the sanitizers; all of tests/README.md: tools/check_faults.sh
+# the C tests, the hosts and the kept inputs of the fuzzers under the sanitizers; all of tests/README.md: tools/check_faults.sh
 if $all && ! on_macos; then
     check sanitizers with_progress "$log_dir/sanitizers.log" tools/check_faults.sh quick
+    check races with_progress "$log_dir/races.log" tools/check_faults.sh races
     check python_sanitizer with_progress "$log_dir/python_sanitizer.log" tools/check_faults.sh python
 fi
 

@@ -86,10 +86,15 @@
  * until the next failure of the thread. Texts in the properties of a law, and views of it (mdr_law_view_of()), are valid until the
  * law is freed.
  *
+ * @par Functions of the program
+ * A function that the library calls must return. If it leaves by longjmp() or by a C++ exception, the memory of the call is lost,
+ * and an exception may end the program; mdrcontact.hpp keeps exceptions and throws them again after the call. A function may call the
+ * library, but not with the object that is being created. A function of mdr_set_cancel() must not make long calls.
+ *
  * @par Rounding
- * Every function that computes sets round-to-nearest, denormal numbers and no floating-point traps, and restores the arithmetic of
- * the calling thread at the end. Exception flags stay set. User functions are called in this arithmetic and must leave it
- * unchanged. Evaluations of laws take nanoseconds and use the arithmetic of the caller: mdr_law_force(), mdr_law_values(),
+ * Every function that computes sets round-to-nearest, denormal numbers, the full precision of x87 and no floating-point traps, and
+ * restores the arithmetic of the calling thread at the end. Exception flags stay set. User functions are called in this arithmetic
+ * and must leave it unchanged; a function of mdr_set_cancel() is called in that of the program. Evaluations of laws take nanoseconds and use the arithmetic of the caller: mdr_law_force(), mdr_law_values(),
  * mdr_law_follow(), mdrcontact_law.h and the conductance of a law. Under another rounding mode their relative difference is about
  * 1e-14.
  *
@@ -98,6 +103,11 @@
  * arrays use several threads (OpenMP) if mdr_set_threads() allows it. Free a handle only when no other thread uses it. When an
  * object is created, the library switches off the error handler of GSL for the process, because it would stop the program. A
  * program with its own GSL handler must set it again afterwards.
+ *
+ * After fork() the child must not let the library use several threads if its parent did: OpenMP threads do not exist in the child.
+ * Call mdr_set_threads(1) in the child, or exec() another program. The shared library stays loaded after dlclose(), because OpenMP
+ * threads wait for work in it. A process may contain several copies of the library, static or shared. Each has its own error texts,
+ * threads and cancel functions, and returns MDR_EINVALID for handles of another copy.
  *
  * A call needs up to 56 kB of stack in the calling thread, in addition to the stack of user functions. 128 kB, the default of
  * threads under musl, suffice, also if the BLAS keeps per-thread data on the stack (OpenBLAS: 60 kB).

@@ -56,6 +56,7 @@ module mdrcontact
     use mdrcontact_contact_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
     use mdrcontact_time_stiffness, only: dynamic_stiffness, step_creep, step_relaxation, step_response
     use mdrcontact_kinds, only: wp
+    use mdrcontact_layout, only: same_layout
     use mdrcontact_lateral_density, only: deviatoric_weight, lateral_density, volumetric_weight
     use mdrcontact_lateral_field, only: field_structure_t, field_t, new_field_structure
     use mdrcontact_lateral_medium, only: new_lateral_medium

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The tests with every checker switched on: tools/check_faults.sh [address | quick | python | traps | thread | all]
+# The tests with every checker switched on: tools/check_faults.sh [address | quick | python | traps | thread | races | all]
 #   address  AddressSanitizer, LeakSanitizer, UndefinedBehaviorSanitizer over the Fortran and C tests
-#   quick    the same over the C tests and the kept inputs of the fuzzers only
+#   quick    the same over the C tests, the hosts and the kept inputs of the fuzzers only
 #   traps    run-time checks of gfortran, copies of arrays among them; in Fortran programs an invalid operation, a division by zero
 #            or an overflow ends the program
 #   thread   helgrind over threads that share every kind of object
+#   races    ThreadSanitizer over the same, and over a host of 16 threads, of a library without OpenMP, whose barriers it does not know
 # Status 0 only if all tests passed. tests/README.md says what each of them finds.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -20,7 +21,7 @@ build_and_test() {
     shift 4
     mkdir -p "$build"
     cmake -S . -B "$build/$name" -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS="$c_flags" -DCMAKE_CXX_FLAGS="$c_flags" \
-        -DCMAKE_Fortran_FLAGS="$fortran_flags" -DMDRCONTACT_BUILD_EXAMPLES=OFF > "$build/$name.log"
+        -DCMAKE_Fortran_FLAGS="$fortran_flags" -DMDRCONTACT_BUILD_EXAMPLES=OFF "-DMDRCONTACT_OPENMP=${openmp:-ON}" > "$build/$name.log"
     cmake --build "$build/$name" --parallel "$jobs" --target "${targets[@]}" >> "$build/$name.log" || {
         tail -n 40 "$build/$name.log"
         return 1
@@ -30,7 +31,8 @@ build_and_test() {
 
 # valgrind cannot run what the sanitizers changed; export configures projects of its own, without the flags; c_memory brings
 # a malloc and c_binary counts the static data of the library alone.
-without="valgrind|helgrind|export|c_memory|c_binary"
+# Two copies of the library have the same names of their own, and 2^31 numbers need addresses that the sanitizers take.
+without="valgrind|helgrind|export|c_memory|c_binary|host_copies|host_many"
 
 # check_address TARGETS CTEST_ARGUMENTS...
 check_address() {
@@ -66,16 +68,22 @@ check_traps() {
         all -R "^(test_|c_)" -E "^(test_layered_and_graded|test_adhesion)$|$without"
 }
 
+check_races() {
+    local flags="-g -O1 -fsanitize=thread"
+    TSAN_OPTIONS=halt_on_error=1 build_and_test races "$flags" "$flags" "tests/c/all tests/hosts/all" -R "^(c_threads|host_threads)"
+}
+
 check_thread() {
     build_and_test thread "-g -O2" "-g -O2" tests/c/all -R "helgrind"
 }
 
 case ${1:-all} in
     address) check_address all ;;
-    quick) check_address "tests/c/all tests/fuzz/all" -R "^(c_|fuzz_replay)" ;;
+    quick) check_address "tests/c/all tests/fuzz/all tests/hosts/all" -R "^(c_|fuzz_replay|host_)" ;;
     python) check_python ;;
     traps) check_traps ;;
     thread) check_thread ;;
-    all) check_address all && check_traps && check_thread ;;
-    *) sed -n '3,8s/^# //p' "${BASH_SOURCE[0]}" && exit 2 ;;
+    races) openmp=OFF check_races ;;
+    all) check_address all && check_traps && check_thread && openmp=OFF check_races ;;
+    *) sed -n '3,9s/^# //p' "${BASH_SOURCE[0]}" && exit 2 ;;
 esac

@@ -192,7 +192,7 @@ typedef struct mdr_failure {
 
 /** Return the last failure of the calling thread in parts. The call leaves it unchanged.
  *  @param failure  initialize with MDR_SIZED; receives the failure
- *  @return MDR_SUCCESS, MDR_ENULL, or MDR_EINVALID for an impossible size
+ *  @return MDR_SUCCESS, MDR_ENULL, or MDR_EINVALID for an impossible size: less than 8, more than 4096, not a multiple of 4
  *  @code
  *  mdr_failure failure = MDR_SIZED(mdr_failure);
  *  status = mdr_last_failure(&failure);
@@ -217,12 +217,14 @@ int mdr_set_threads(int threads);
 /** A function that decides whether a long call continues.
  *  @param context  the pointer given with the function
  *  @return 0 to continue; any other value to cancel the call. After that the function may be called again until the call has
- *          returned */
+ *          returned. It must return: leave it neither by longjmp() nor by an exception. It must not make long calls itself, which
+ *          return MDR_EINVALID */
 typedef int (*mdr_cancel)(void *context);
 
 /** Set a function that may cancel long calls of the calling thread: fits, maps, tables, laws, loops, arrays of states. They call it
  *  at most 0.2 s after they begin, and then at intervals of at least 0.05 s, in the calling thread. A cancelled call returns
- *  MDR_ECANCELLED, writes no output and leaves every handle unchanged. Each thread has its own function.
+ *  MDR_ECANCELLED, writes no output and leaves every handle unchanged. Each thread has its own function. The function runs in the
+ *  floating-point arithmetic of the program, not in that of the library.
  *  @param cancel   NULL: none, the initial state
  *  @param context  passed to cancel, may be NULL
  *  @code
@@ -280,7 +282,8 @@ typedef struct mdr_parameter {
  */
 int mdr_parameters(const void *object, int capacity, mdr_parameter out[], int *count);
 
-/** A user function y = f(x). It is called only while the object that it describes is created, in the calling thread.
+/** A user function y = f(x). It is called only while the object that it describes is created, in the calling thread, in the
+ *  floating-point arithmetic of the library. It must return: leave it neither by longjmp() nor by an exception.
  *  @param x        argument
  *  @param y        receives the value, which must be finite
  *  @param context  the pointer given with the function

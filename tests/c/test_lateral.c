@@ -50,7 +50,8 @@ static void refusals(void)
     CHECK_STATUS(mdr_structure_voxels(NULL, label, 1, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_ENULL, "size is NULL");
     CHECK_STATUS(mdr_structure_voxels((const int[3]){1, 0, 1}, label, 1, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_EINVALID,
                  "size: each entry must be at least 1");
-    CHECK_STATUS(mdr_structure_voxels(size, wrong_label, 1, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_EINVALID, "labels");
+    CHECK_STATUS(mdr_structure_voxels(size, wrong_label, 1, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_EINVALID,
+                 "of labels = 1: it must be the index of a phase, from 0 to 0");
     CHECK_STATUS(mdr_structure_voxels(size, label, 0, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_EINVALID, "phases = 0");
     CHECK_STATUS(mdr_structure_voxels(size, label, 1, E, nu, flat, 1.0, 0.3, NULL, &s), MDR_EINVALID, "spacing 3 = 0");
     options = MDR_SIZED(mdr_structure_options);

@@ -59,6 +59,25 @@ static void under_flush_to_zero(void)
 #endif
 }
 
+/* The register of long double has a precision, a rounding mode and traps of its own: 24 bits, 53 bits, towards zero, all traps. */
+static void under_x87(void)
+{
+#if defined(__x86_64__) && defined(__GNUC__)
+    static const unsigned short words[4] = {0x007f, 0x027f, 0x0f7f, 0x0360};
+    unsigned short before, after;
+    __asm__ __volatile__("fnstcw %0" : "=m"(before));
+    for (int i = 0; i < 4; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "x87 control word %04x", words[i]);
+        __asm__ __volatile__("fldcw %0" : : "m"(words[i]));
+        run_all(name);
+        __asm__ __volatile__("fnstcw %0" : "=m"(after));
+        __asm__ __volatile__("fldcw %0" : : "m"(before));
+        CHECK_INT(after & 0x0f3f, words[i] & 0x0f3f);
+    }
+#endif
+}
+
 /* Traps of the host fire in the host alone; flags show what happened inside. */
 static void under_traps(void)
 {
@@ -164,6 +183,7 @@ int main(void)
     under_modes();
     under_flush_to_zero();
     under_traps();
+    under_x87();
     with_user_functions();
     states_of_laws();
     return check_report("rounding modes");

@@ -4,6 +4,8 @@
  * library reads and writes what both know and nothing beside it, whatever stands there.
  */
 #include "check.h"
+
+#include <stdint.h>
 #include "mdrcontact/all.h"
 
 enum { GUARD = 64, CANARY = 0x5a, LONGER = 24 };
@@ -248,6 +250,8 @@ static void what_is_known_is_written(const objects *o)
     CHECK_INT(failure.status, MDR_EINVALID);
     CHECK_INT(mdr_last_failure(NULL), MDR_ENULL);
     CHECK_INT(mdr_last_failure(&(mdr_failure){0}), MDR_EINVALID);
+    CHECK_INT(mdr_last_failure(&(mdr_failure){.size = 9}), MDR_EINVALID);
+    CHECK_INT(mdr_last_failure(&(mdr_failure){.size = SIZE_MAX}), MDR_EINVALID);
 }
 
 /* 0 is the default; where it is a value, too, that has to be said. */

@@ -142,7 +142,6 @@ contains
 
         allocate (medium)
         call move_alloc(solver, medium%solver)
-        medium%is_made = .true.
         call move_alloc(medium, object)
         status = return_object(object, out, error)
     end function return_solver

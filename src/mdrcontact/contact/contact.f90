@@ -89,7 +89,7 @@ contains
         type(contact_options_t), intent(in), optional :: options
 
         call check_made(error, "profile", profile%is_made)
-        call check_made(error, "medium", medium%is_made)
+        call check_made(error, "medium", medium%is_given())
         if (allocated(error)) return
         call check_elastic(medium, error)
         if (.not. allocated(error)) call new_contact(self, profile, medium%solver, error, options)

@@ -291,6 +291,9 @@ contains
         type(error_t), allocatable :: error
         integer :: way
 
+        force = quiet_nan
+        slope = force
+        if (.not. self%is_made) return
         way = on_unloading
         if (present(branch)) way = branch
         ! without adhesion both branches are one
@@ -303,12 +306,7 @@ contains
         end if
         call check_branch(error, way)
         call check_point(error, self%by_depth, way, depth)
-        if (allocated(error)) then
-            force = quiet_nan
-            slope = force
-        else
-            call point_at(self%by_depth, way, depth, force, slope, radius, stiffness)
-        end if
+        if (.not. allocated(error)) call point_at(self%by_depth, way, depth, force, slope, radius, stiffness)
     end subroutine force_elsewhere
 
     !> The states at many depths: at_depth for arrays. If one fails, the error is that of the first, and nothing is written.

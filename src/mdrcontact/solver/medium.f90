@@ -34,6 +34,8 @@ module mdrcontact_medium
         !> the same kind of medium with other numbers
         procedure :: with_parameters
         procedure :: bytes
+        !> whether there is a body in it
+        procedure :: is_given
     end type medium_t
 
     !> The medium of two bodies.
@@ -42,6 +44,13 @@ module mdrcontact_medium
     end interface new_pair
 
 contains
+
+    pure function is_given(self) result(answer)
+        class(medium_t), intent(in) :: self
+        logical :: answer
+
+        answer = allocated(self%solver) .or. allocated(self%relaxing)
+    end function is_given
 
     !> A body under a model.
     subroutine new_medium(self, body, model, error, options, shared, surface)
@@ -62,7 +71,6 @@ contains
         self%model = model
         if (present(options)) self%options = options
         call new_solver(self%solver, body, model, error, options, shared, surface)
-        self%is_made = .not. allocated(error)
     end subroutine new_medium
 
     !> The medium of two bodies, of which a relaxing one may be the lower of a rigid upper one.
@@ -72,8 +80,8 @@ contains
         type(medium_t), intent(in) :: lower, upper
         type(error_t), allocatable, intent(out) :: error
 
-        call check_made(error, "lower", lower%is_made)
-        call check_made(error, "upper", upper%is_made)
+        call check_made(error, "lower", lower%is_given())
+        call check_made(error, "upper", upper%is_given())
         if (allocated(error)) return
         call check_elastic(upper, error)
         if (allocated(error)) return
@@ -87,7 +95,6 @@ contains
         ! under a rigid body it is the lower one alone
         self%model = lower%model
         self%options = lower%options
-        self%is_made = .not. allocated(error)
     end subroutine new_pair_of_media
 
     pure subroutine parameters(self, list)
@@ -122,7 +129,7 @@ contains
         type(kernel_cache_t), intent(inout) :: shared
         type(power_graded_t) :: power_graded
 
-        call check_made(error, "medium", self%is_made)
+        call check_made(error, "medium", self%is_given())
         if (allocated(error)) return
         if (size(values) == 0) then
             call room(self%bytes(), error)

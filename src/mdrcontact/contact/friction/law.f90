@@ -7,7 +7,7 @@ module mdrcontact_friction_law
     use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth
-    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, check_memory, error_invalid, error_t, raise, to_text
     use mdrcontact_friction_partial_slip, only: first_shear_t, friction_t, tangential_state_t
     use mdrcontact_friction_history, only: friction_history_t, given_shift, new_friction_history
     use mdrcontact_kinds, only: pi, wp
@@ -54,6 +54,8 @@ contains
         !> whether they carry a twist about the normal, with its torque, instead of the shift; of a paraboloid on homogeneous bodies
         logical, intent(in), optional :: twist
 
+        call check_made(error, "contact", contact%is_made)
+        call check_made(error, "friction", friction%is_made)
         if (present(sliders)) call check_sliders(error, sliders)
         if (allocated(error)) return
         call new_law_of_contact(self, contact, largest_depth, error, options)

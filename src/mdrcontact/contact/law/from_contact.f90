@@ -10,8 +10,8 @@ module mdrcontact_law_from_contact
     use mdrcontact_contact_samples, only: samples_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_zone_curve, only: coordinate_of, new_zone_curve, zone_curve_t
-    use mdrcontact_error, only: check_positive, check_within, error_invalid, error_no_convergence, error_t, error_unreachable, &
-                                explain, raise, to_text
+    use mdrcontact_error, only: check_made, check_positive, check_within, error_invalid, error_no_convergence, error_t, &
+                                error_unreachable, explain, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_compile, only: close_table, compile_straight, open_table
@@ -86,6 +86,8 @@ contains
         real(wp) :: end_radius, smallest, largest
         real(wp), allocatable :: breaks(:)
 
+        call check_made(error, "contact", contact%is_made)
+        if (present(tangential)) call check_made(error, "tangential", tangential%is_made)
         if (present(options)) chosen = options
         if (present(tangential)) nullify (chosen%conductance)
         if (.not. allocated(chosen%description)) chosen%description = ""

@@ -6,7 +6,7 @@
 module mdrcontact_law_shear_strength
     use mdrcontact_body_compliance, only: shear_load
     use mdrcontact_contact, only: contact_t, on_unloading
-    use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_evaluate, only: point_at
@@ -36,6 +36,7 @@ contains
         !> 4 to 64 vector sliders for the springs of the contact; default 8
         integer, intent(in), optional :: sliders
 
+        call check_made(error, "contact", contact%is_made)
         call check_positive(error, "shear_strength", shear_strength)
         if (present(sliders)) call check_sliders(error, sliders)
         if (allocated(error)) return
@@ -51,6 +52,8 @@ contains
         self%friction%sliders = default_sliders
         if (present(sliders)) self%friction%sliders = sliders
         call find_sliders(self, contact, self%friction, error)
+        ! what verifies it takes it as made
+        self%friction%is_made = .not. allocated(error)
         if (.not. allocated(error)) call verify(self%friction, error)
         self%is_made = .not. allocated(error)
     end subroutine new_law_with_shear_strength

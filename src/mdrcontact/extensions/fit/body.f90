@@ -45,8 +45,8 @@ contains
         type(parameter_t), allocatable :: of_medium(:), of_counterbody(:)
 
         call check_made(error, "profile", profile%is_made)
-        call check_made(error, "medium", medium%is_made)
-        if (present(counterbody)) call check_made(error, "counterbody", counterbody%is_made)
+        call check_made(error, "medium", medium%is_given())
+        if (present(counterbody)) call check_made(error, "counterbody", counterbody%is_given())
         if (allocated(error)) return
         call room(profile%bytes() + medium%bytes(), error)
         if (present(counterbody)) call room(counterbody%bytes(), error)

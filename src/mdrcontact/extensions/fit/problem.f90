@@ -109,21 +109,31 @@ contains
     pure function problem_parameters(body) result(list)
         !> of new_fit_body
         type(fit_body_t), intent(in) :: body
-        type(parameter_t) :: list(size(body%parameters) + instrument_numbers)
+        type(parameter_t) :: list(count_of(body) + instrument_numbers)
 
-        list = [body%parameters, of_instrument]
+        list(size(list) - instrument_numbers + 1:) = of_instrument
+        if (body%is_made) list(:size(body%parameters)) = body%parameters
     end function problem_parameters
 
     !> The same, fixed at the values that they have.
     pure function start_parameters(body) result(parameters)
         !> of new_fit_body
         type(fit_body_t), intent(in) :: body
-        type(fit_parameter_t) :: parameters(size(body%parameters) + instrument_numbers)
+        type(fit_parameter_t) :: parameters(count_of(body) + instrument_numbers)
         type(parameter_t) :: list(size(parameters))
 
         list = problem_parameters(body)
         parameters%value = list%value
     end function start_parameters
+
+    !> How many parameters a body has.
+    pure function count_of(body) result(count)
+        type(fit_body_t), intent(in) :: body
+        integer :: count
+
+        count = 0
+        if (body%is_made) count = size(body%parameters)
+    end function count_of
 
     !> Their values, one after the other.
     pure function values_of(parameters) result(values)

@@ -466,6 +466,7 @@ contains
         real(wp) :: values(8, 2), best(8)
         integer :: i
 
+        if (.not. self%is_made) return
         do i = 1, 2
             associate (disc => self%past%discs(i))
                 values(:5, i) = [disc%depth, disc%radius, disc%force, disc%pressure(0), self%rate%worn_depth(disc%load(0))]
