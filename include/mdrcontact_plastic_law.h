@@ -118,9 +118,11 @@ MDR_INLINE size_t mdr_plastic_panel(const mdr_plastic_view *view, double d, doub
     return (size_t)low;
 }
 
-/* An imprint: contact radius A and the terms of its line load over E*, alpha2 s + alpha1 s^2, s^2 = 1 - (x/A)^2. Lengths. */
+/** An imprint, whose line load over E* is uniform s + hertz s^2, s^2 = 1 - (x/A)^2. Its members are private. */
 typedef struct mdr_plastic_imprint {
-    double radius, uniform, hertz; /* A, alpha2, alpha1 */
+    double radius;  /**< Contact radius A at the largest depth [length]. */
+    double uniform; /**< Of the uniform part of the pressure [length]. */
+    double hertz;   /**< Of Hertz's part [length]. */
 } mdr_plastic_imprint;
 
 /* The imprint of a largest depth beyond yield. The two terms have the force of first loading: F is continuous. */
@@ -314,11 +316,12 @@ MDR_INLINE double mdr_plastic_peel(const mdr_plastic_imprint *imprint, double pu
     return s;
 }
 
-/* A contact with adhesion: what first loading without adhesion has reached, whether it is closed, and s of its edge, 0 where it is on
- * first loading. */
+/** A contact with adhesion. Its members are private. */
 typedef struct mdr_plastic_sticky {
-    double deepest, s, lost;
-    int closed;
+    double deepest; /**< Largest depth, of the contact without adhesion [length]. */
+    double s;       /**< sqrt(1 - (a/A)^2) of its edge; 0 on first loading [1]. */
+    double lost;    /**< Energy that jumps have lost [modulus length^3]. */
+    int closed;     /**< 1 while the bodies touch. */
 } mdr_plastic_sticky;
 
 /* Energy of a closed contact with adhesion against separated bodies. */

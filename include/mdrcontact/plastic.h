@@ -349,9 +349,8 @@ int mdr_plastic_law_restitution(const mdr_plastic_law *law, double mass, int n, 
  *  @param buffer  [size] receives the numbers
  *  @return also MDR_EINVALID for a shorter array
  *  @code
- *  double *numbers = malloc((size_t)plastic_facts.buffer_size * sizeof *numbers);
- *  status = mdr_plastic_law_buffer(plastic_law, plastic_facts.buffer_size, numbers);
- *  free(numbers);
+ *  double numbers[20000];
+ *  status = mdr_plastic_law_buffer(plastic_law, 20000, numbers);
  *  @endcode
  */
 int mdr_plastic_law_buffer(const mdr_plastic_law *law, int size, double buffer[]);
