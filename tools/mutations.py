@@ -385,5 +385,18 @@ MUTATIONS = [
      "test_wear.py"),
     ("python:wear.py", "done = [_where_it_ends(refusal, parts[0])], refusal.entry - 1",
      "done = [_where_it_ends(refusal, parts[0])], 1", "test_wear.py"),
+    ("extensions/plastic/virgin.f90", "load = half_pi/(1.5_wp", "load = half_pi/(1.4_wp", "^test_plastic_law$"),
+    ("extensions/plastic/virgin.f90", "y = x*x*sqrt(x)", "y = x*x*x", "test_plastic_law.py"),
+    ("extensions/plastic/loading.f90", "kappa_uniform = 1.4535_wp", "kappa_uniform = 2.0_wp", "test_plastic_law.py"),
+    ("extensions/plastic/loading.f90", "pi/2.0_wp*deficit", "pi/3.0_wp*deficit", "test_plastic_law.py"),
+    ("extensions/plastic/yielding.f90", "tabor = 0.2_wp", "tabor = 0.4_wp", "test_plastic_law.py"),
+    ("extensions/plastic/law/compile.f90", "head(6) = head(6)/factor", "head(6) = head(6)*factor", "test_plastic_law.py"),
+    ("extensions/plastic/law/compile.f90", "panels%joint(1) = elastic%force", "panels%joint(1) = 1.001_wp*elastic%force",
+     "test_plastic_law.py"),
+    ("extensions/plastic/law/compile.f90", "sqrt(line*a)*(2.0_wp*modulus*a", "sqrt(line*a)*(1.0_wp*modulus*a",
+     "test_plastic_law.py"),
+    ("extensions/plastic/law/new.f90", "most = 2.0_wp*law%modulus", "most = 20.0_wp*law%modulus", "test_plastic_law.py"),
+    ("extensions/plastic/law.f90", "max(energy - lost, 0.0_wp)/energy", "max(energy - 0.9_wp*lost, 0.0_wp)/energy",
+     "test_plastic_law.py"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""
