@@ -22,7 +22,7 @@ late=()
 "$build/benchmarks/exact_states" >> "$page/benchmarks.md" || late+=(exact_states)
 echo >> "$page/benchmarks.md"
 "$build/benchmarks/plastic_law_cost" >> "$page/benchmarks.md" || late+=(plastic_law_cost)
-for section in pairs stresses histories tangential coatings tension conduction wear fits; do
+for section in pairs stresses histories tangential coatings tension conduction wear plastic fits; do
     echo >> "$page/benchmarks.md" # a heading right behind a table would be a row of it
     "$build/venv/bin/python" "benchmarks/$section.py" >> "$page/benchmarks.md" || late+=("$section")
 done

@@ -20,7 +20,7 @@ extern "C" {
 typedef struct mdr_imprint mdr_imprint;
 
 /** Create an imprint from radius, force and depths of an indentation. The pressure at the largest load is assumed to have two terms,
- *  p(r) = uniform + hertz sqrt(1 - r^2/A^2), which force and recovery determine (theory/plastic.md (2.2)).
+ *  p(r) = uniform + hertz sqrt(1 - r^2/A^2), which force and recovery determine (theory/plastic.md (2.4)).
  *
  *  While nothing yields, unloading and reloading are exactly those of an elastic contact of mdr_imprint_profile() on the same body.
  *  mdr_imprint_reverse_yield() tells whether something does.
@@ -78,7 +78,7 @@ int mdr_imprint_from_pressure(const mdr_medium *medium, int n, const double r[],
 
 /** Create the indenter whose elastic contact with the body of an imprint is its unloading and reloading. It ends at A, the radius of
  *  the largest load. Its depths count from the end of contact: they are those of the imprint less its residual depth. With adhesion
- *  the edge rests at A until the work of adhesion detaches it (theory/plastic.md (3.2)).
+ *  the edge rests at A until the work of adhesion detaches it (theory/plastic.md (3.1)).
  *  @param i    imprint
  *  @param out  receives the handle
  *  @code
@@ -115,7 +115,7 @@ typedef struct mdr_imprint_facts {
 int mdr_imprint_about(const mdr_imprint *i, mdr_imprint_facts *facts);
 
 /** Compute R_Y, the largest ratio over the layers of the von Mises stress under the pressure at the largest load and of the yield
- *  stress. It tells whether unloading is elastic (theory/plastic.md (1.6)): below 1.7 it is; from 1.7 to 2 the force is accurate to
+ *  stress. It tells whether unloading is elastic (theory/plastic.md (1.9)): below 1.7 it is; from 1.7 to 2 the force is accurate to
  *  1e-3 of the largest one; from 2 to 3 its error is 0.1 % to 2.5 %; above 3 the imprint does not hold.
  *  @param i             imprint
  *  @param n             number of layers with the half-space

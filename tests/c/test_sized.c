@@ -150,6 +150,17 @@ static int use_wear_options(const objects *o, void *structure)
 }
 #endif
 
+#ifdef MDRCONTACT_PLASTIC_H
+static int use_imprint_facts(const objects *o, void *structure)
+{
+    mdr_imprint *imprint = NULL;
+    int status = mdr_imprint_two_terms(o->film, 0.5, 0.1, 0.2, 0.3, &imprint);
+    if (status == MDR_SUCCESS) status = mdr_imprint_about(imprint, structure);
+    MDR_FREE(imprint);
+    return status;
+}
+#endif
+
 /* Success where a structure was read and refused for this member of it alone, which is required and 0. */
 static int lacks_only(int status, const char *member)
 {
@@ -318,6 +329,9 @@ int main(void)
 #ifdef MDRCONTACT_WEAR_H
     EVERY_SIZE(use_wear_options, mdr_wear_options, 0);
     MDR_FREE(o.wear);
+#endif
+#ifdef MDRCONTACT_PLASTIC_H
+    EVERY_SIZE(use_imprint_facts, mdr_imprint_facts, 1);
 #endif
 #ifdef MDRCONTACT_LATERAL_H
     EVERY_SIZE(use_structure, mdr_structure_options, 0);

@@ -24,7 +24,7 @@ BASES = {"Medium", "Profile", "lateral.Structure"}
 
 OTHER_CLASSES = {
     **dict.fromkeys(
-        ("Spot", "FrictionHeat", "ShearedContact", "FrictionHistory", "WearHistory", "WornProfile", "State", "States"),
+        ("Spot", "FrictionHeat", "ShearedContact", "FrictionHistory", "WearHistory", "WornProfile", "ImprintProfile", "State", "States"),
         "made by an answer, from members that are walked",
     ),
     **dict.fromkeys(("Berkovich", "Vickers", "CubeCorner"), "have no members"),
@@ -33,7 +33,7 @@ OTHER_CLASSES = {
 
 OTHER_METHODS = {
     "replace", "parameters", "contact", "with_parameters", "with_model", "models", "copy", "plot", "rows", "warnings",
-    "save", "load", "turn", "restored", "saved", "memory_size", "solutions", "error", "path_error", "first_shear_error",
+    "from_state", "save", "load", "turn", "restored", "saved", "memory_size", "solutions", "error", "path_error", "first_shear_error",
     "twists", "sliders", "coefficient", "shear_strength", "tolerance", "largest_sliding_shift", "from_fractions",
     "from_prony_text", "from_shapes", "from_engineering", "from_rheology", "between", "model", "inclination",
     "half_angle_degrees", "table",

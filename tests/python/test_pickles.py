@@ -153,6 +153,12 @@ def wear():
     return [worn, worn.limit(state, 0.5 * state.radius), history, history.state, history.profile, fit]
 
 
+def imprints():
+    imprint = mdr.plastic.Imprint(mdr.Homogeneous(SILICON), 1e-6, 0.018, 60e-9, 95e-9)
+    points = mdr.plastic.Imprint.from_pressure(FILM, [0.0, 3e-7, 6e-7, 9e-7], [7e9, 6.9e9, 6.4e9, 5e9])
+    return [imprint, points, imprint.profile, imprint.reverse_yield(7e9), imprint.contact(0.1)]
+
+
 def zone_in_time():
     sticky = mdr.Contact(
         mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Viscoelastic(0.5e6, [(4.5e6, 1e-3)], nu=0.5)), 0.05, cohesive_stress=0.5e6
@@ -283,7 +289,7 @@ def faults():
     return [*words, problem.ProblemError("words")]
 
 
-MAKERS = (bodies, conductors, results, friction, wear, wear, fits, structures, records, problems, faults)
+MAKERS = (bodies, conductors, results, friction, wear, imprints, wear, fits, structures, records, problems, faults)
 
 
 @pytest.fixture(scope="module")

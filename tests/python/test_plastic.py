@@ -192,7 +192,7 @@ def test_limits_of_the_thickness(ratio):
 
 
 def test_adhesion_rests_at_the_edge():
-    """Pinned at A until l(A) is drawn, then F_0(a) - 2 a E* l(a): theory/plastic.md (3.2), (3.3)."""
+    """Pinned at A until l(A) is drawn, then F_0(a) - 2 a E* l(a): theory/plastic.md (3.1), (3.2)."""
     gamma = 1e-4
     imprint = Imprint.from_two_terms(HALF, A, 0.015, 0.01)
     contact, bare = imprint.contact(gamma), imprint.contact()

@@ -85,7 +85,7 @@ class Imprint(Value):
     `PlasticityWarning`.
 
     On half-spaces the error of the force on unloading is 0.2 % to 1.3 % of the largest one for indentations by a paraboloid, on soft
-    films up to 1.9 %, by comparison with finite elements (theory/plastic.md (2.2)).
+    films up to 1.9 %, by comparison with finite elements (theory/plastic.md (2.4)).
 
     References
     ----------

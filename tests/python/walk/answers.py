@@ -469,6 +469,39 @@ def friction_history_force(friction: Any) -> Numbers:
     return _columns(found, "shift", "dissipated_energy")
 
 
+# imprints
+
+
+def _imprint(imprint: Any, of_uniform: float) -> Numbers:
+    """Unloading, and what the imprint says of itself."""
+    half = imprint.contact().at_depth(0.5 * imprint.recovery)
+    found = _columns(imprint, "recovery", "recovered_work", "residual_depth", "force", "radius")
+    ratio = imprint.reverse_yield([of_uniform] * (1 if isinstance(imprint.body, mdr.Homogeneous) else 2)).ratio
+    return {**found, "force_at_half": half.force, "radius_at_half": half.radius, "height": imprint.profile.height(0.4),
+            "ratio": ratio, "terms": (imprint.uniform, imprint.hertz)}  # fmt: skip
+
+
+@answer("Imprint.recovery", "Imprint.recovered_work", "Imprint.profile", "Imprint.reverse_yield", "Imprint.uniform", "Imprint.hertz",
+        tolerance=1e-7)  # fmt: skip
+def imprint_unloading(imprint: Any) -> Numbers:
+    return _imprint(imprint, 0.05)
+
+
+@answer("Imprint.contact", tolerance=1e-7)
+def imprint_pull_off(imprint: Any) -> Numbers:
+    return _columns(imprint.contact(1e-4).pull_off(), "force", "radius") | {"residual_depth": imprint.residual_depth}
+
+
+@answer("Imprint.from_two_terms", tolerance=1e-7)
+def imprint_of_two_terms(imprint: Any) -> Numbers:
+    return _imprint(imprint, 0.05)
+
+
+@answer("Imprint.from_pressure", "Imprint.misfit", tolerance=1e-7)
+def imprint_of_pressure(imprint: Any) -> Numbers:
+    return _columns(imprint, "recovery", "recovered_work", "residual_depth", "force", "misfit")
+
+
 # wear
 
 

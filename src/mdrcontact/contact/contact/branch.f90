@@ -63,7 +63,7 @@ contains
 
     !> The stable segments under a control, in ascending order of the contact radius. The last reaches to the end of the
     !> indenter or medium, climbs its vertical wall without end, or rests at the edge of an imprint up to its largest load
-    !> (theory/plastic.md (3.2)).
+    !> (theory/plastic.md (3.1)).
     subroutine find_segments(self, equilibrium, control, list, error)
         class(branch_t), intent(in) :: self
         type(equilibrium_t), intent(in), target :: equilibrium

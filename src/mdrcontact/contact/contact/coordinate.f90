@@ -2,7 +2,7 @@
 !> The coordinate x of a contact radius in which the laws of every shape are smooth and close to straight lines.
 !>
 !> x = ln(a - b) behind a flat end of radius b. Towards the sharp end of an imprint, radius A, depth and force go as
-!> s = sqrt(1 - (a/A)^2): there a = A sin(e^x/A), in which s is analytic, and which is e^x far below A (theory/plastic.md (3.5)).
+!> s = sqrt(1 - (a/A)^2): there a = A sin(e^x/A), in which s is analytic, and which is e^x far below A (theory/plastic.md (3.7)).
 module mdrcontact_contact_coordinate
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_profile, only: profile_t

@@ -184,6 +184,11 @@ contains
             call coordinate_beyond(contact%equilibrium, largest_depth, largest_depth, last, found, self%solutions, error)
         end if
         if (allocated(error)) return
+        if (found < largest_depth .and. contact%is_adhesive() .and. contact%equilibrium%ends_sharply()) then
+            call raise(error, error_unreachable, "largest_depth = "//to_text(largest_depth)//": with adhesion the edge of an "// &
+                       "imprint rests from depth "//to_text(found)//" on, where its law ends. Use the contact itself beyond")
+            return
+        end if
         if (found < largest_depth) then
             call raise(error, error_unreachable, "largest_depth = "//to_text(largest_depth)// &
                        ": indenter or medium end at depth "//to_text(found)//trim(contact%equilibrium%why_it_ends()))

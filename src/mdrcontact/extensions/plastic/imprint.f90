@@ -1,13 +1,13 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The imprint of a plastic contact (theory/plastic.md (1.2), (2.1)): while nothing yields, unloading and reloading are those of an
+!> The imprint of a plastic contact (theory/plastic.md (1.3), (2.1)): while nothing yields, unloading and reloading are those of an
 !> elastic contact of another profile on the same body.
 module mdrcontact_plastic_imprint
     use mdrcontact_contact, only: contact_t, new_contact
     use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_codes, only: von_mises
-    use mdrcontact_error, only: check_finite, check_memory, check_not_negative, check_positive, count_text, error_domain, &
-                                error_invalid, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_finite, check_made, check_memory, check_not_negative, check_positive, count_text, &
+                                error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_inside_critical, only: check_deviation, largest_of, new_stressed
     use mdrcontact_inside_largest, only: maximum_t, stressed_t
     use mdrcontact_kinds, only: half_pi, pi, wp
@@ -38,6 +38,8 @@ module mdrcontact_plastic_imprint
         real(wp) :: uniform = 0.0_wp, hertz = 0.0_wp
         !> part of F by which data would need a uniform part below 0, taken as 0; or misfit of a pressure at its points [1]
         real(wp) :: misfit = 0.0_wp
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
     contains
         procedure :: reverse_yield
     end type imprint_t
@@ -64,7 +66,7 @@ module mdrcontact_plastic_imprint
 
 contains
 
-    !> The imprint from what a record knows: two terms of pressure, theory/plastic.md (2.2).
+    !> The imprint from what a record knows: two terms of pressure, theory/plastic.md (2.4).
     subroutine new_imprint(self, medium, radius, force, residual_depth, depth, error)
         type(imprint_t), intent(out) :: self
         !> homogeneous or exact. Copied
@@ -179,7 +181,8 @@ contains
         type(layers_t), intent(out) :: layers
         type(error_t), allocatable, intent(inout) :: error
 
-        call check_elastic(medium, error)
+        call check_made(error, "medium", medium%is_made)
+        if (.not. allocated(error)) call check_elastic(medium, error)
         if (.not. allocated(error)) call check_springs(medium%solver, "an imprint is", error)
         if (.not. allocated(error) .and. medium%solver%is_rigid) then
             call raise(error, error_invalid, ": it is rigid. Pair it with a deformable body", "medium")
@@ -198,7 +201,7 @@ contains
         call medium%solver%springs%interaction(radius, most_polynomials, layers%matrix, error)
     end subroutine begin
 
-    !> Profile, depths and work of the line load q/E0* = sum_k loads(k) s^k: theory/plastic.md (1.2), (1.5).
+    !> Profile, depths and work of the line load q/E0* = sum_k loads(k) s^k: theory/plastic.md (1.3), (1.8).
     subroutine finish(self, loads, layers, error)
         type(imprint_t), intent(inout) :: self
         !> [length]
@@ -238,6 +241,7 @@ contains
         end if
         self%residual_depth = self%depth - axis
         call check_rise(self, error)
+        self%is_made = .not. allocated(error)
     end subroutine finish
 
     !> Raises where the profile falls: contact would not end on one disc.
@@ -317,7 +321,7 @@ contains
     end function moment
 
     !> R_Y: the largest von Mises stress of the elastic body under the pressure at the largest load over the yield stress of a layer
-    !> (theory/plastic.md (1.6)). Above 3 it raises.
+    !> (theory/plastic.md (1.9)). Above 3 it raises.
     subroutine reverse_yield(self, yield_stress, ratio, layer, error)
         class(imprint_t), intent(in) :: self
         !> > 0 of each layer from the surface and of the half-space last, infinite where it does not yield [modulus]
@@ -335,6 +339,8 @@ contains
 
         ratio = 0.0_wp
         layer = 0
+        call check_made(error, "imprint", self%is_made)
+        if (allocated(error)) return
         do i = 1, size(yield_stress)
             if (.not. yield_stress(i) > 0.0_wp) then
                 call raise(error, error_invalid, " = "//to_text(yield_stress(i))//": it must be greater than 0. Use infinity "// &

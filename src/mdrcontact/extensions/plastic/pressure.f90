@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A pressure known at points as a polynomial in the edge coordinate s = sqrt(1 - r^2/A^2), in which plastic pressures are smooth up
-!> to the edge (theory/plastic.md (2.8)).
+!> to the edge (theory/plastic.md (2.13)).
 module mdrcontact_plastic_pressure
     use mdrcontact_error, only: check_finite, check_not_negative, check_same_size, count_text, error_invalid, error_t, raise, &
                                 to_text

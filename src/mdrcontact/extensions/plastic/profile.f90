@@ -2,7 +2,7 @@
 !> The profile that a plastic contact has left: its imprint under the indenter, as an elastic contact sees both.
 !>
 !> The line load at the largest load is a polynomial in the edge coordinate s = sqrt(1 - u^2), u = x/A. It has two terms for the
-!> pressure pu + ph sqrt(1 - r^2/A^2) (theory/plastic.md (2.1)). Then g(x) = [q(0) - q(x)]/E0* is a closed form, and f(r) one by
+!> pressure pu + ph sqrt(1 - r^2/A^2) (theory/plastic.md (2.1), (2.13)). Then g(x) = [q(0) - q(x)]/E0* is a closed form, and f(r) one by
 !> complete elliptic integrals. Layers below the surface add a smooth function of u^2, a polynomial with those of f and the moment.
 module mdrcontact_plastic_profile
     use, intrinsic :: iso_fortran_env, only: int64
@@ -168,7 +168,7 @@ contains
         if (allocated(self%layers)) bytes = bytes + real_bytes*size(self%layers)
     end function bytes
 
-    !> (2/pi) sum_k loads(k) (pi/2 - int Delta^k dtheta): theory/plastic.md (2.7).
+    !> (2/pi) sum_k loads(k) (pi/2 - int Delta^k dtheta): theory/plastic.md (2.14).
     elemental function height(self, x) result(y)
         class(imprint_profile_t), intent(in) :: self
         real(wp), intent(in) :: x
@@ -248,7 +248,7 @@ contains
         end do
     end subroutine find_rests
 
-    !> theory/plastic.md (2.7): 1 - s^k = (1 - s)(1 + s + ...), and 1 - s = u^2/(1 + s).
+    !> theory/plastic.md (2.13): 1 - s^k = (1 - s)(1 + s + ...), and 1 - s = u^2/(1 + s).
     elemental function mdr(self, x) result(y)
         class(imprint_profile_t), intent(in) :: self
         real(wp), intent(in) :: x
@@ -392,7 +392,7 @@ contains
         end associate
     end subroutine edge_coordinate
 
-    !> Of two terms in closed form: theory/plastic.md (2.4).
+    !> Of two terms in closed form: theory/plastic.md (2.9).
     pure function radius_from_mdr(self, depth) result(radius)
         class(imprint_profile_t), intent(in) :: self
         real(wp), intent(in) :: depth
