@@ -153,10 +153,14 @@ static int use_wear_options(const objects *o, void *structure)
 #ifdef MDRCONTACT_PLASTIC_H
 static int use_imprint_facts(const objects *o, void *structure)
 {
+    mdr_medium *base = NULL;
     mdr_imprint *imprint = NULL;
-    int status = mdr_imprint_two_terms(o->film, 0.5, 0.1, 0.2, 0.3, &imprint);
+    int status = mdr_medium_contact_modulus(1.0, &base);
+    (void)o;
+    if (status == MDR_SUCCESS) status = mdr_imprint_two_terms(base, 0.5, 0.1, 0.2, 0.3, &imprint);
     if (status == MDR_SUCCESS) status = mdr_imprint_about(imprint, structure);
     MDR_FREE(imprint);
+    MDR_FREE(base);
     return status;
 }
 #endif
