@@ -24,7 +24,19 @@ BASES = {"Medium", "Profile", "lateral.Structure"}
 
 OTHER_CLASSES = {
     **dict.fromkeys(
-        ("Spot", "FrictionHeat", "ShearedContact", "FrictionHistory", "WearHistory", "WornProfile", "ImprintProfile", "State", "States"),
+        (
+            "Spot",
+            "FrictionHeat",
+            "ShearedContact",
+            "FrictionHistory",
+            "WearHistory",
+            "WornProfile",
+            "ImprintProfile",
+            "State",
+            "States",
+            "OverloadState",
+            "CapState",
+        ),
         "made by an answer, from members that are walked",
     ),
     **dict.fromkeys(("Berkovich", "Vickers", "CubeCorner"), "have no members"),

@@ -104,7 +104,11 @@ def test_overload_states_by_depth_and_force():
     points = RULE.points(depth.ravel())
     state = RULE.at_depth(2e-5)
     assert points.force[1] == state.force and points.radius[1] == state.radius
-    assert points.recovery[1] == pytest.approx(state.depth - state.imprint().residual_depth, rel=1e-13)
+    assert points.residual_depth[1] == pytest.approx(state.imprint().residual_depth, rel=1e-12)
+    assert RULE.points([1e-6]).residual_depth == [0.0]
+    rule = Overload(BALL, [1e-3])
+    law = mdr.plastic.PlasticLaw.from_table(*rule.points(np.geomspace(6e-6, 1e-4, 60)), modulus=MODULUS)
+    assert law.loading(5e-5).force == pytest.approx(rule.at_depth(5e-5).force, rel=1e-4)
     assert Imprint.from_state(state).force == pytest.approx(state.force, rel=1e-12)
 
 

@@ -23,4 +23,4 @@ __all__ = [
     "Yielding",
     "truncated_hertz",
     "yield_stress_from_hardness",
-]  # fmt: skip
+]

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _layout
-from .._boundary import FloatOrArray, Handle, evaluate_all, native, number
+from .._boundary import FloatOrArray, Handle, evaluate_all, native, number, row
 from .._value import Value
 from .._warn import warn
 from ..contact import Contact
@@ -31,8 +31,9 @@ class LoadingPoints(NamedTuple):
     >>> body = mdr.Homogeneous(mdr.Elastic(200e9, 0.3))
     >>> rule = mdr.plastic.Overload(mdr.Contact(mdr.Cone(0.035), body), [2e9])
     >>> points = rule.points([1e-8, 2e-8, 4e-8])
-    >>> print(points.force)
-    [0.0003789  0.0015156  0.00606241]
+    >>> law = mdr.plastic.PlasticLaw.from_table(*points, modulus=200e9 / 0.91)
+    >>> print(f"{law.loading(2e-8).force:.4e} {points.force[1]:.4e}")
+    1.5156e-03 1.5156e-03
     """
 
     depth: FloatOrArray
@@ -41,8 +42,8 @@ class LoadingPoints(NamedTuple):
     """F [modulus length^2]"""
     radius: FloatOrArray
     """a [length]"""
-    recovery: FloatOrArray
-    """depth that elastic unloading from the point gives back [length]"""
+    residual_depth: FloatOrArray
+    """depth that remains after unloading from the point [length]"""
 
 
 @dataclass(frozen=True)
@@ -223,7 +224,9 @@ class Overload(Value):
         return self._states("force", _layout.FORCE, force)
 
     def points(self, depth: ArrayLike) -> LoadingPoints:
-        """Return points for a law of this contact.
+        """Return points of first loading for `PlasticLaw.from_table`.
+
+        That law unloads as on a half-space. Unloading of a coated body is that of its imprints.
 
         Parameters
         ----------
@@ -233,7 +236,7 @@ class Overload(Value):
         Returns
         -------
         LoadingPoints
-            Depth, force, radius, and the depth that unloading gives back.
+            Depth, force, radius and residual depth; the latter is 0 where nothing has yielded.
 
         Raises
         ------
@@ -242,14 +245,14 @@ class Overload(Value):
         DomainError
             The rule does not hold at a depth, or a contact would end in a ring.
         """
-        state = self.at_depth(np.atleast_1d(np.asarray(depth, dtype=float)))
-        columns = (np.ravel(values) for values in (state.depth, state.radius, state.uniform, state.hertz))
+        state = self.at_depth(row("depth", depth))
         body = self.contact.medium
-        recovery = [
-            d - Imprint.from_two_terms(body, a, uniform, hertz, d).residual_depth
-            for d, a, uniform, hertz in zip(*columns, strict=True)
+        columns = (np.ravel(values) for values in (state.radius, state.uniform, state.hertz, state.depth, state.force_error))
+        left = [
+            Imprint.from_two_terms(body, a, uniform, hertz, d).residual_depth if error > 0.0 else 0.0
+            for a, uniform, hertz, d, error in zip(*columns, strict=True)
         ]
-        return LoadingPoints(state.depth, state.force, state.radius, np.reshape(recovery, np.shape(state.depth)))
+        return LoadingPoints(state.depth, state.force, state.radius, np.array(left))
 
     def _states(self, name: str, given: int, values: ArrayLike) -> OverloadState:
         columns = evaluate_all(name, values, lambda flat: native.overload_states(self._handle, given, flat))

@@ -656,6 +656,33 @@ def plastic_facts(law: Any) -> Numbers:
     return {"": np.array([*sizes, law.tolerance, law.radius]), "buffer": law.buffer()}
 
 
+# plastic models of first loading
+
+
+def _loadings(model: Any) -> dict[str, Any]:
+    """States below and above yield, by each of what may be given."""
+    found = {"radius": model.at_radius([0.02, 0.05])}
+    found["depth"] = model.at_depth(found["radius"].depth[1])
+    found["force"] = model.at_force(found["radius"].force[1])
+    return found
+
+
+@answer("Overload.at_radius", "Overload.at_depth", "Overload.at_force", "Overload.points", tolerance=1e-6)
+def overload(rule: Any) -> Numbers:
+    states = _loadings(rule)
+    columns = {f"{given} {name}": getattr(state, name) for given, state in states.items() for name in ("depth", "radius", "force")}
+    points = rule.points(states["radius"].depth)
+    return {**columns, "imprint": states["depth"].imprint().residual_depth, "points": points.residual_depth}
+
+
+@answer("PressureCap.at_radius", "PressureCap.at_depth", "PressureCap.at_force", tolerance=1e-5)
+def pressure_cap(cap: Any) -> Numbers:
+    states = _loadings(cap)
+    columns = {f"{given} {name}": getattr(state, name) for given, state in states.items() for name in ("depth", "radius", "force")}
+    state = states["depth"]
+    return {**columns, "pressure": state.pressure([0.0, 0.03]), "residual": state.residual([0.0, 0.03])}
+
+
 # conduction
 
 

@@ -423,6 +423,20 @@ SPOTS = ("spot", "spot_fields", "conduction_compliance", "friction_heat", "along
 LATE = ("conduction_compliance_omega", "conduction_step", "conduction_follow", "admittance", "step_flux")
 
 
+def _plastic_models() -> list[Scene]:
+    film, base = mdr.Elastic(1.0, 0.3), mdr.Elastic(3.0, 0.2)
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Layered([(film, 0.06)], base))
+    return [
+        Scene("overload rule", mdr.plastic.Overload(contact, (6e-3, 0.05)), ("overload",)),
+        Scene(
+            "overload of a half-space",
+            mdr.plastic.Overload(mdr.Contact(mdr.Cone(0.05), mdr.Homogeneous(film)), (6e-3,)),
+            ("overload",),
+        ),
+        Scene("pressure cap", mdr.plastic.PressureCap(contact, 0.015), ("pressure_cap",)),
+    ]
+
+
 def _conduction() -> list[Scene]:
     conductors = [Conductor(3.0, 2.4, 1.5), Conductor(0.4, 0.6, 0.8), Conductor(1.0, 0.7, 1.2)]
     stack = LayeredConductor([(conductors[0], 0.4), mdr.Interface(0.4), (conductors[1], 0.5), mdr.Interface(0.3)], conductors[2])
@@ -544,6 +558,6 @@ def all_scenes() -> list[Scene]:
         Scene("material", AXIAL, ("material_modulus", "material_tangential")),
         Scene("engineered material", ENGINEERED, ("material_modulus", "material_tangential")),
         Scene("isotropic material", FILM, ("material_modulus",)),
-        *_elastic(), *_models(), *_graded(), *_indenters(), *_adhesion(), *_time(), *_gels(), *_friction(), *_imprints(), *_wear(), *_laws(), *_plastic_laws(),
-        *_conduction(), *_lateral(), *_functions(), *_requests(),
+        *_elastic(), *_models(), *_graded(), *_indenters(), *_adhesion(), *_time(), *_gels(), *_friction(), *_imprints(), *_wear(), *_laws(),
+        *_plastic_laws(), *_plastic_models(), *_conduction(), *_lateral(), *_functions(), *_requests(),
     ]  # fmt: skip
