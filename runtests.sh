@@ -42,9 +42,15 @@ check() {
 say "1/6 System packages"
 tools=(g++:g++)
 on_macos || tools+=(valgrind:valgrind)
+python_tools=(fortitude-lint ruff yamllint)
+# the page of mdrcontact app in a browser; elsewhere than on Debian only if there is one
+if $all; then
+    grep -qs "^ID=debian" /etc/os-release && tools+=(chromium:chromium chromedriver:chromium-driver)
+    python_tools+=(selenium axe-core-python)
+fi
 install_system_packages "${tools[@]}"
 say "2/6 Python package in .venv"
-install_python_package test fortitude-lint ruff yamllint
+install_python_package test "${python_tools[@]}"
 
 say "3/6 Linters and documentation: beside the compilation, which leaves cores idle; their words follow it"
 linters() {

@@ -99,13 +99,6 @@ class Page:
     def field(self, path, what="set"):
         return self.wait(lambda: self.driver.find_elements(By.XPATH, f"//*[@id='{self.dom_id(path, what)}']")[0], path)
 
-    def settled(self, do, *given):
-        """Do something that changes the text, and wait until the results belong to it."""
-        before = self.one("alert").text, self.driver.execute_script("return window.drawn || 0"), self.text
-        do(*given)
-        self.wait(lambda: self.text != before[2], "the text changes")
-        self.idle()
-
     def idle(self):
         """Wait until nothing is computed or drawn."""
         quiet = "return !document.querySelector('[data-dash-is-loading=\"true\"]') && document.title !== 'Updating'"
@@ -160,7 +153,7 @@ class Page:
 
     def fit(self):
         self.one("start").click()
-        self.wait(lambda: self.all("#measure-results .verdict, #measure-results .numbers") or self.alert, "a fit")
+        self.wait(lambda: self.said == "fit computed" or self.alert, "a fit")
         self.idle()
 
     def numbers(self):

@@ -22,10 +22,10 @@ from mdrcontact.cli import main
 from mdrcontact.instruments import schema as measured
 from mdrcontact.problem import edit, schema
 
-for name in ("dash", "dash_ag_grid", "dash_bootstrap_components", "tomlkit", "matplotlib", "selenium", "axe_selenium_python"):
+for name in ("dash", "dash_ag_grid", "dash_bootstrap_components", "tomlkit", "matplotlib", "selenium", "axe_core_python"):
     pytest.importorskip(name)
 
-import axe_selenium_python  # noqa: E402
+import axe_core_python  # noqa: E402
 from browser import CHROMIUM, DRIVER, Page, chromium, resize  # noqa: E402
 from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
@@ -43,7 +43,7 @@ pytestmark = [
 ]
 
 PROBLEMS, FITS = ROOT / "examples" / "problems", ROOT / "examples" / "fit"
-AXE = Path(axe_selenium_python.__file__).parent / "node_modules" / "axe-core" / "axe.min.js"
+AXE = Path(axe_core_python.__file__).parent / "axe.min.js"
 PICTURES = os.environ.get("MDRCONTACT_PICTURES")
 
 

@@ -73,7 +73,7 @@ def layout(session: Session) -> list[Any]:
     left = html.Form(
         [html.Div([editor.head(NAME, "Open"), example], className="head"), html.Div(id=f"{NAME}-form")], className="form"
     )
-    return [*editor.stores(NAME), left, results.frame(NAME, tabs(f"{NAME}-tab", [*STUDIES, _FILE], "Curves", "results"))]
+    return [*editor.stores(NAME), left, results.frame(NAME, tabs(f"{NAME}-tab", [*STUDIES, _FILE], "Curves", f"results of {NAME}"))]
 
 
 def register(dash: Dash, session: Session) -> None:

@@ -32,7 +32,8 @@ def layout(session: Session) -> Any:
 def tabs(name: str, words: list[str], first: str, label: str) -> Any:
     """Return tabs that the arrows change; the page remembers the chosen one while it is open."""
     buttons = dbc.RadioItems(words, first, id=name, inline=True, persistence=True, persistence_type="session")
-    return html.Nav(html.Fieldset([html.Legend(label, className="unseen"), buttons]), className="tabs")
+    named: dict[str, Any] = {"aria-label": label}
+    return html.Nav(html.Fieldset([html.Legend(label, className="unseen"), buttons]), className="tabs", **named)
 
 
 class _Page:

@@ -64,7 +64,7 @@ def layout(session: Session) -> list[Any]:
     head = html.Div([editor.head(NAME, "Open"), html.Div([start, *boxes], className="buttons")], className="head")
     left = [drop, head, html.Div(id=f"{NAME}-form"), html.Div(id=f"{NAME}-sought")]
     stores = [dcc.Store(id=f"{NAME}-{name}", storage_type="session") for name in ("names", "run")]
-    right = results.frame(NAME, tabs(f"{NAME}-tab", [*_TABS], _TABS[0], "results"))
+    right = results.frame(NAME, tabs(f"{NAME}-tab", [*_TABS], _TABS[0], f"results of {NAME}"))
     return [*editor.stores(NAME), *stores, html.Form(left, className="form"), right]
 
 
