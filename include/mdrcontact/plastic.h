@@ -34,7 +34,7 @@ typedef struct mdr_imprint mdr_imprint;
  *          does; MDR_EDOMAIN if the contact would end in a ring, as on very stiff layers
  *  @code
  *  mdr_imprint *left = NULL;
- *  status = mdr_imprint_new(medium, 1e-6, 0.018, 60e-9, 95e-9, &left);
+ *  status = mdr_imprint_new(medium, 1e-6, 0.018, 40e-9, 140e-9, &left);
  *  MDR_FREE(left);
  *  @endcode
  */

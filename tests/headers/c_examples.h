@@ -27,6 +27,7 @@ static mdr_law_view view;
 static mdr_rate *rate;
 static mdr_rate_options rate_options;
 static mdr_wear *wear, *punch_wear;
+static mdr_imprint *imprint;
 static mdr_plastic_law *plastic_law;
 static mdr_plastic_view plastic_view;
 static double plastic_numbers[20000];
@@ -142,6 +143,7 @@ static int make_others(void)
     return failed || mdr_law_new(contact, 50e-9, &with_friction, &friction_law)
         || mdr_law_new(contact, 50e-9, &with_conduction, &conducting_law) || mdr_rate_new(sticky, &rate_options, &rate)
         || mdr_wear_new(contact, 1, &k, NULL, k, &wear) || mdr_wear_new(punch_contact, 1, &k, NULL, 0.0, &punch_wear)
+        || mdr_imprint_two_terms(medium, 1e-6, 5e9, 2e9, 0.0, &imprint)
         || mdr_wear_history_new(wear, MDR_FORCE, 1e-3, NULL, &wear_history)
         || mdr_poroelastic_new(0.3, MDR_DRAINAGE_SURFACE, 0.0, NULL, &poroelastic)
         || mdr_structure_shapes(3e9, 0.35, 0, NULL, NULL, NULL, NULL, NULL, &structure) || make_plastic();

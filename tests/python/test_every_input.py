@@ -45,7 +45,8 @@ OTHER_CLASSES = {
 
 OTHER_METHODS = {
     "replace", "parameters", "contact", "with_parameters", "with_model", "models", "copy", "plot", "rows", "warnings",
-    "from_state", "save", "load", "turn", "restored", "saved", "memory_size", "solutions", "error", "path_error", "first_shear_error",
+    "from_state", "save", "load", "turn", "restored", "saved", "memory_size", "solutions", "error", "path_error",
+    "first_shear_error",
     "twists", "sliders", "coefficient", "shear_strength", "tolerance", "largest_sliding_shift", "from_fractions",
     "from_prony_text", "from_shapes", "from_engineering", "from_rheology", "between", "model", "inclination",
     "half_angle_degrees", "table",

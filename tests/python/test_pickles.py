@@ -154,7 +154,7 @@ def wear():
 
 
 def imprints():
-    imprint = mdr.plastic.Imprint(mdr.Homogeneous(SILICON), 1e-6, 0.018, 60e-9, 95e-9)
+    imprint = mdr.plastic.Imprint(mdr.Homogeneous(SILICON), 1e-6, 0.018, 60e-9, 130e-9)
     points = mdr.plastic.Imprint.from_pressure(FILM, [0.0, 3e-7, 6e-7, 9e-7], [7e9, 6.9e9, 6.4e9, 5e9])
     return [imprint, points, imprint.profile, imprint.reverse_yield(7e9), imprint.contact(0.1)]
 

@@ -258,7 +258,8 @@ def test_pressure_at_points(body):
     assert cubic.force == pytest.approx(2.0 * math.pi * A**2 * 0.02 * (0.5 + 0.5 / 4.0 - 0.3 / 5.0), rel=1e-11)
     state = cubic.contact().at_radius(A)
     assert (state.force, state.depth) == pytest.approx((cubic.force, cubic.recovery), rel=1e-11)
-    assert state.pressure(0.5) == pytest.approx(0.02 * (1.0 + 0.5 * (1 - (0.5 / A) ** 2) - 0.3 * (1 - (0.5 / A) ** 2) ** 1.5), rel=1e-5)
+    there = math.sqrt(1.0 - (0.5 / A) ** 2)
+    assert state.pressure(0.5) == pytest.approx(0.02 * (1.0 + 0.5 * there**2 - 0.3 * there**3), rel=1e-5)
 
 
 def test_everything_of_a_contact():
@@ -366,16 +367,15 @@ def test_bodies_that_have_none():
         Imprint(mdr.Elastic(1.0, 0.3), 1.0, 1.0, 0.1, 1.0)
     with pytest.raises(InvalidArgumentError, match="an imprint is not available for this medium"):
         Imprint.from_two_terms(mdr.Coated(mdr.Elastic(1.0, 0.3), 1.0, mdr.Elastic(4.0, 0.3), "bec"), 1.0, 0.02, 0.0)
-    relaxing = mdr.Viscoelastic.from_prony(1.0, 0.5, [(0.5, 1.0)]) if hasattr(mdr.Viscoelastic, "from_prony") else None
-    if relaxing is not None:
-        with pytest.raises(mdr.MDRError, match="viscoelastic"):
-            Imprint.from_two_terms(mdr.Homogeneous(relaxing), 1.0, 0.02, 0.0)
+    with pytest.raises(InvalidArgumentError, match="viscoelastic"):
+        Imprint.from_two_terms(mdr.Homogeneous(mdr.Viscoelastic(1.0, [(0.5, 1.0)], nu=0.5)), 1.0, 0.02, 0.0)
     with pytest.raises(mdr.errors.ArgumentTypeError, match="state of a plastic law or of a pressure cap"):
         Imprint.from_state(3.0)
     with pytest.raises(mdr.errors.ArgumentTypeError, match="it must be an Imprint"):
         ImprintProfile(3.0)
     imprint = Imprint.from_two_terms(SOFT, A, 0.02, 0.0)
-    for stresses, words in (([1.0], "has 1 entries: the body has 2"), ([1.0, 0.0], "entry 2 of yield_stress = 0"), ([1.0, math.nan], "entry 2")):
+    wrong = {(1.0,): "has 1 entries: the body has 2", (1.0, 0.0): "entry 2 of yield_stress = 0", (1.0, math.nan): "entry 2"}
+    for stresses, words in wrong.items():
         with pytest.raises(InvalidArgumentError, match=words):
             imprint.reverse_yield(stresses)
     with pytest.raises(InvalidArgumentError, match="cohesive_stress"):

@@ -84,8 +84,8 @@ class Imprint(Value):
     A uniform part below 0 by less than 0.5 % of F/A, as from a measured residual depth near yield, is taken as 0 with a
     `PlasticityWarning`.
 
-    On half-spaces the error of the force on unloading is 0.2 % to 1.3 % of the largest one for indentations by a paraboloid, on soft
-    films up to 1.9 %, by comparison with finite elements (theory/plastic.md (2.4)).
+    The error of the force on unloading, against finite elements, is 0.2 % to 1.3 % of the largest force for a paraboloid on
+    half-spaces, and up to 1.9 % on soft films (theory/plastic.md (2.4)).
 
     References
     ----------
@@ -109,6 +109,10 @@ class Imprint(Value):
     depth: float
     _form: tuple[str, dict[str, Any]] = field(init=False, repr=False, hash=False)
     """which class method made it, "" for none, and its arguments"""
+    _recovered_work: float = field(init=False, repr=False, compare=False)
+    _uniform: float = field(init=False, repr=False, compare=False)
+    _hertz: float = field(init=False, repr=False, compare=False)
+    _misfit: float = field(init=False, repr=False, compare=False)
 
     def __init__(self, body: Medium, radius: float, force: float, residual_depth: float, depth: float) -> None:
         given = {
@@ -225,8 +229,8 @@ class Imprint(Value):
     def from_pressure(cls, body: Medium, r: ArrayLike, p: ArrayLike, depth: float = 0.0) -> Imprint:
         """Create the imprint of a pressure known at points.
 
-        It may be that of finite elements. It is represented by a polynomial of degree 1 to 8 in `sqrt(1 - r^2/A^2)`, by least squares. `misfit` is its largest
-        difference at the points.
+        It may be that of finite elements. It is represented by a polynomial of degree 1 to 8 in `sqrt(1 - r^2/A^2)`, by least
+        squares. `misfit` is its largest difference at the points.
 
         Parameters
         ----------
@@ -315,7 +319,8 @@ class Imprint(Value):
     def misfit(self) -> float:
         """Deviation of the pressure from the given numbers, 0 if they determine it [1].
 
-        It is the part of F/A that a uniform part of 0 misses, or the largest difference from a given pressure relative to its maximum.
+        It is the part of F/A that a uniform part of 0 misses, or the largest difference from a given pressure relative to its
+        maximum.
         """
         return self._misfit
 
@@ -359,8 +364,8 @@ class Imprint(Value):
     def reverse_yield(self, yield_stresses: ArrayLike) -> ReverseYield:
         """Return R_Y, which tells whether unloading is elastic.
 
-        R_Y is the largest von Mises stress of the elastic body under the pressure at the largest load, over the yield stress, of all
-        layers. Below 1.7 unloading is elastic.
+        R_Y is the largest ratio over the layers of two stresses: the von Mises stress of the elastic body under the pressure at
+        the largest load, and the yield stress. Below 1.7 unloading is elastic.
 
         Parameters
         ----------
@@ -388,20 +393,19 @@ class Imprint(Value):
         if ratio > _ELASTIC:
             size = "0.02 % to 0.5 %" if ratio <= _SMALL else "0.5 % to 2.5 %"
             warn(
-                f"R_Y = {ratio:.3g} in layer {layer}: unloading yields again. Finite elements show an error of {size} of the largest "
-                "force",
+                f"R_Y = {ratio:.3g} in layer {layer}: unloading yields again. Finite elements show an error of {size} of the "
+                "largest force",
                 PlasticityWarning,
             )
         return ReverseYield(ratio, layer)
-
-
 
 
 @dataclass(frozen=True)
 class ImprintProfile(Profile):
     """Indenter whose elastic contact is the unloading of an imprint.
 
-    `Imprint.profile` returns it. It ends at the contact radius of the largest load, where its slope is infinite unless the pressure is 0 there.
+    `Imprint.profile` returns it. It ends at the contact radius of the largest load, where its slope is infinite unless the
+    pressure is 0 there.
 
     Parameters
     ----------

@@ -481,8 +481,8 @@ def _imprint(imprint: Any, of_uniform: float) -> Numbers:
             "ratio": ratio, "terms": (imprint.uniform, imprint.hertz)}  # fmt: skip
 
 
-@answer("Imprint.recovery", "Imprint.recovered_work", "Imprint.profile", "Imprint.reverse_yield", "Imprint.uniform", "Imprint.hertz",
-        tolerance=1e-7)  # fmt: skip
+@answer("Imprint.recovery", "Imprint.recovered_work", "Imprint.profile", "Imprint.reverse_yield", "Imprint.uniform",
+        "Imprint.hertz", tolerance=1e-7)  # fmt: skip
 def imprint_unloading(imprint: Any) -> Numbers:
     return _imprint(imprint, 0.05)
 

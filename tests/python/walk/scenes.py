@@ -20,9 +20,8 @@ from mdrcontact.closed_forms import (
     reduced_adhesive_depth,
 )
 from mdrcontact.conduction import INSULATING, PERFECT, Conduction, Conductor, LayeredConductor, TabulatedConduction
-from mdrcontact.plastic import PlasticLaw, Yielding
+from mdrcontact.plastic import Imprint, PlasticLaw, Yielding
 from mdrcontact.poroelastic import Poroelastic
-from mdrcontact.plastic import Imprint
 from mdrcontact.wear import Wear, wear_coefficient_from_scar, wear_coefficient_from_volume
 
 from . import requests
@@ -345,8 +344,8 @@ def _friction() -> list[Scene]:
 
 def _imprints() -> list[Scene]:
     scenes = []
-    for name, body, recovery in (("half-space", SOLID, 0.04), ("coating", COATED, 0.02)):
-        record = Imprint(body, 0.8, 0.05, 0.2 - recovery, 0.2)
+    for name, body, recovery in (("half-space", SOLID, 0.039), ("coating", COATED, 0.024)):
+        record = Imprint(body, 0.8, 0.05, 0.005, 0.005 + recovery)
         scenes.append(Scene(f"imprint on {name}", record, ("imprint_unloading", "imprint_pull_off")))
     terms = Call("from_two_terms", Imprint.from_two_terms, body=COATED, radius=0.8, uniform=0.02, hertz=0.01, depth=0.1)
     r, p = (0.0, 0.2, 0.4, 0.6, 0.7, 0.8), (0.03, 0.0297, 0.0287, 0.0266, 0.0248, 0.02)
@@ -558,6 +557,6 @@ def all_scenes() -> list[Scene]:
         Scene("material", AXIAL, ("material_modulus", "material_tangential")),
         Scene("engineered material", ENGINEERED, ("material_modulus", "material_tangential")),
         Scene("isotropic material", FILM, ("material_modulus",)),
-        *_elastic(), *_models(), *_graded(), *_indenters(), *_adhesion(), *_time(), *_gels(), *_friction(), *_imprints(), *_wear(), *_laws(),
-        *_plastic_laws(), *_plastic_models(), *_conduction(), *_lateral(), *_functions(), *_requests(),
+        *_elastic(), *_models(), *_graded(), *_indenters(), *_adhesion(), *_time(), *_gels(), *_friction(), *_wear(), *_laws(),
+        *_imprints(), *_plastic_laws(), *_plastic_models(), *_conduction(), *_lateral(), *_functions(), *_requests(),
     ]  # fmt: skip
