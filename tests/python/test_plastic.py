@@ -212,6 +212,13 @@ def test_adhesion_rests_at_the_edge():
     assert beyond.depth == pytest.approx(bare.at_radius(a).depth - pull, rel=1e-12)
     loop = contact.loop("depth", imprint.recovery)
     assert loop.dissipated_energy > 0.0
+    assert contact.pull_off().others == contact.pull_off("depth").others == ()
+    rest = contact.at_radius(A).depth
+    law = mdr.ContactLaw(contact, 0.999 * rest)
+    depths = np.linspace(0.1, 0.99, 9) * rest
+    assert law.force(depths) == pytest.approx(contact.at_depth(depths).force, rel=1e-6)
+    with pytest.raises(UnreachableError, match="with adhesion the edge of an imprint rests from depth"):
+        mdr.ContactLaw(contact, imprint.recovery)
     with pytest.raises(UnreachableError, match="yields again"):
         contact.at_depth(1.001 * imprint.recovery)
 
@@ -380,6 +387,27 @@ def test_bodies_that_have_none():
             imprint.reverse_yield(stresses)
     with pytest.raises(InvalidArgumentError, match="cohesive_stress"):
         mdr.Contact(imprint.profile, SOFT, work_of_adhesion=1e-5, cohesive_stress=1e-2)
+
+
+@pytest.mark.parametrize("radius", [0.3, 1.0, 3.0])
+def test_graded_body(radius):
+    """A kernel that varies at all lengths below the surface: the state of the largest load by solving the contact."""
+    z = np.linspace(0.0, 6.0, 61)
+    body = mdr.Graded(z, 1.0 + 3.0 * np.tanh(z), 0.3)
+    imprint = Imprint.from_two_terms(body, radius, 0.015, 0.01)
+    state = imprint.contact().at_radius(radius)
+    assert (state.depth, state.force) == pytest.approx((imprint.recovery, imprint.force), rel=1e-6)
+
+
+def test_conduction():
+    """Conductance along unloading: by depth it is dG/da over dd/da of the imprint."""
+    imprint = Imprint.from_two_terms(SOFT, A, 0.015, 0.01)
+    contact = imprint.contact()
+    conductor = mdr.conduction.Conduction(mdr.conduction.Conductor(2.0))
+    found = conductor.along(contact.at_depth(0.5 * imprint.recovery))
+    step = 1e-4 * imprint.recovery
+    ends = [conductor.at_radius(contact.at_depth(0.5 * imprint.recovery + one).radius).conductance for one in (-step, step)]
+    assert found.by_depth == pytest.approx((ends[1] - ends[0]) / (2.0 * step), rel=1e-6)
 
 
 def test_pairs_and_stacks():

@@ -428,6 +428,10 @@ contains
             call raise(error, error_unreachable, "this contact has no stable adhesive state under this control")
             return
         end if
+        ! from the edge of an imprint, where a stable contact goes on, it does not detach
+        if (self%equilibrium%ends_sharply() .and. size(list) > 1) then
+            if (list(size(list) - 1)%last >= list(size(list))%first) list = list(:size(list) - 1)
+        end if
         allocate (ends(size(list)))
         do i = 1, size(list)
             call self%state_on_segment(control, list(i), list(i)%lowest, ends(i), error)

@@ -55,7 +55,7 @@ module mdrcontact_plastic_imprint
     end type layers_t
 
     !> Legendre polynomials at most, and the part of their largest coefficient to which the last ones must have fallen.
-    integer, parameter :: most_polynomials = 1200
+    integer, parameter :: most_polynomials = 600
     real(wp), parameter :: last_coefficient = 1.0e-7_wp
     !> A uniform part below 0 by this part of F/A, as from a measured residual depth, is taken as 0; by that of q(0) it is rounding.
     real(wp), parameter :: largest_misfit = 0.005_wp, rounding = 1.0e-9_wp
