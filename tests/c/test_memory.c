@@ -116,6 +116,11 @@ int main(void)
     CHECK_STATUS(mdr_structure_voxels(size, labels, 1, in + 1, in, in + 1, 1.0, 0.3, NULL, &voxels), MDR_ENOMEMORY, "memory");
     CHECK_TRUE(voxels == NULL);
 #endif
+#ifdef MDRCONTACT_PLASTIC_H
+    mdr_imprint *imprint = NULL;
+    CHECK_STATUS(mdr_imprint_from_pressure(m, COUNT, in, in, 0.0, &imprint), MDR_ENOMEMORY, "memory");
+    CHECK_TRUE(imprint == NULL);
+#endif
     CHECK_STATUS(mdr_friction_history_new(friction, 0.1, 1000, &rings), MDR_ENOMEMORY, "memory");
     CHECK_TRUE(rings == NULL && law == NULL && table == NULL);
     /* this needs no memory of the array's size */

@@ -2,7 +2,7 @@
 !> A pressure known at points as a polynomial in the edge coordinate s = sqrt(1 - r^2/A^2), in which plastic pressures are smooth up
 !> to the edge (theory/plastic.md (2.13)).
 module mdrcontact_plastic_pressure
-    use mdrcontact_error, only: check_finite, check_not_negative, check_same_size, count_text, error_invalid, error_t, raise, &
+    use mdrcontact_error, only: check_memory, check_not_negative, check_same_size, count_text, error_invalid, error_t, raise, &
                                 to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: dgels
@@ -10,6 +10,8 @@ module mdrcontact_plastic_pressure
     private
     public :: fit_pressure
 
+    !> Columns of room for LAPACK.
+    integer, parameter :: blocks = 65
     !> Degrees, which powers of s bear without loss, and points that they take.
     integer, parameter :: largest_degree = 8, fewest_points = 4
     !> A lower degree is enough where the misfit, relative to the largest pressure, is below this; and what is refused.
@@ -26,14 +28,17 @@ contains
         !> largest difference at the points, relative to the largest pressure [1]
         real(wp), intent(out) :: misfit
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: s(size(r)), t(size(r), 0:largest_degree)
-        integer :: degree, k
+        real(wp), allocatable :: s(:), t(:, :), work(:, :)
+        integer :: degree, k, stat
 
         misfit = 0.0_wp
         call check_points(r, p, error)
         if (allocated(error)) return
+        allocate (s(size(r)), t(size(r), 0:largest_degree), work(size(r), largest_degree + 2), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         associate (a => r(size(r)))
-            s = sqrt((a - r)/a*(1.0_wp + r/a))
+            s(:) = sqrt((a - r)/a*(1.0_wp + r/a))
         end associate
         t(:, 0) = 1.0_wp
         t(:, 1) = 2.0_wp*s - 1.0_wp
@@ -42,7 +47,7 @@ contains
         end do
         ! at points that do not crowd at the ends, polynomials of higher degree oscillate
         do degree = 1, min(largest_degree, int(sqrt(2.0_wp*size(r))))
-            call solve(t(:, :degree), p, powers, misfit, error)
+            call solve(t(:, :degree), p, work(:, :degree + 2), powers, misfit, error)
             if (allocated(error) .or. misfit <= close_enough) exit
         end do
         if (allocated(error)) return
@@ -80,23 +85,30 @@ contains
     end subroutine check_points
 
     !> Chebyshev coefficients in 2 s - 1, and the misfit.
-    subroutine solve(t, p, c, misfit, error)
+    subroutine solve(t, p, room, c, misfit, error)
         real(wp), intent(in) :: t(:, 0:), p(:)
+        !> as t, with one column more
+        real(wp), intent(out), contiguous :: room(:, :)
         real(wp), allocatable, intent(out) :: c(:)
         real(wp), intent(out) :: misfit
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: a(size(p), size(t, 2)), b(size(p), 1), work(65*size(p))
-        integer :: info
+        real(wp) :: work(blocks*(largest_degree + 1))
+        integer :: info, i, n
 
-        a = t
-        b(:, 1) = p
-        call dgels("N", size(a, 1), size(a, 2), 1, a, size(a, 1), b, size(b, 1), work, size(work), info)
+        n = size(t, 2)
+        room(:, :n) = t
+        room(:, n + 1) = p
+        call dgels("N", size(p), n, 1, room(:, :n), size(p), room(:, n + 1:), size(p), work, size(work), info)
         if (info /= 0) then
             call raise(error, error_invalid, "r: the points lie too close together to determine the pressure")
             return
         end if
-        c = b(:size(a, 2), 1)
-        misfit = maxval(abs(matmul(t, c) - p))/maxval(p)
+        c = room(:n, n + 1)
+        misfit = 0.0_wp
+        do i = 1, size(p)
+            misfit = max(misfit, abs(dot_product(t(i, :), c) - p(i)))
+        end do
+        misfit = misfit/maxval(p)
     end subroutine solve
 
     !> Coefficients of s^k from those of T_k(2 s - 1).

@@ -76,7 +76,7 @@ contains
         self%is_made = .not. allocated(error)
     end subroutine new_imprint_profile
 
-    !> The polynomials of layers from values of the first: height and moment are integrals of g along the radius, of the same degree.
+    !> The polynomials of layers from values of the first. Height and moment are integrals of g along the radius, of its degree.
     subroutine set_layers(self, values, error)
         type(imprint_profile_t), intent(inout) :: self
         !> see new_imprint_profile
