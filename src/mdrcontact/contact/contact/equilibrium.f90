@@ -272,8 +272,8 @@ contains
         if (self%last_radius >= self%medium%largest_radius) words = self%medium%why_it_ends
     end function why_it_ends
 
-    !> Largest contact radius: to a vertical wall or a sharp end, or one rounding below the profile's end, which may be a vertical tangent that
-    !> media with a unit of length of their own must not reach by rounding; far below the end of the number range.
+    !> Largest contact radius: to a vertical wall or a sharp end, or one rounding below the profile's end, which may be a vertical
+    !> tangent that media with a unit of length of their own must not reach by rounding; far below the end of the number range.
     pure function largest_contact_radius(profile, medium) result(radius)
         class(profile_t), intent(in) :: profile
         class(solver_t), intent(in) :: medium

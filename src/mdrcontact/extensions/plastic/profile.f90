@@ -2,8 +2,9 @@
 !> The profile that a plastic contact has left: its imprint under the indenter, as an elastic contact sees both.
 !>
 !> The line load at the largest load is a polynomial in the edge coordinate s = sqrt(1 - u^2), u = x/A. It has two terms for the
-!> pressure pu + ph sqrt(1 - r^2/A^2) (theory/plastic.md (2.1), (2.13)). Then g(x) = [q(0) - q(x)]/E0* is a closed form, and f(r) one by
-!> complete elliptic integrals. Layers below the surface add a smooth function of u^2, a polynomial with those of f and the moment.
+!> pressure pu + ph sqrt(1 - r^2/A^2) (theory/plastic.md (2.1), (2.13)). Then g(x) = [q(0) - q(x)]/E0* is a closed form, and f(r)
+!> one by complete elliptic integrals. Layers below the surface add a smooth function of u^2, a polynomial with those of f and the
+!> moment.
 module mdrcontact_plastic_profile
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_error, only: check_memory, error_t
