@@ -181,8 +181,8 @@ contains
         type(layers_t), intent(out) :: layers
         type(error_t), allocatable, intent(inout) :: error
 
-        call check_elastic(medium, error)
-        if (.not. allocated(error)) call check_made(error, "medium", medium%is_made)
+        call check_made(error, "medium", medium%is_given())
+        if (.not. allocated(error)) call check_elastic(medium, error)
         if (.not. allocated(error)) call check_springs(medium%solver, "an imprint is", error)
         if (.not. allocated(error) .and. medium%solver%is_rigid) then
             call raise(error, error_invalid, ": it is rigid. Pair it with a deformable body", "medium")
