@@ -39,7 +39,7 @@ def test_operations_of_arrays(law):
     step, kept = expected(law, deepest, depth)
     force, after = Steps(law, np, np.asarray, np.asarray)(depth, deepest)
     assert np.array_equal(after, kept)
-    assert force == pytest.approx(step.force, rel=1e-12, abs=1e-15 * law.largest_force)
+    assert force == pytest.approx(step.force, rel=1e-11, abs=1e-14 * law.largest_force)
     wrong = Steps(law, np, np.asarray, np.asarray)(np.array([1.1e-5, np.nan, 1e-6]), np.array([0.0, 0.0, -1.0]))
     assert np.isnan(wrong).all()
 
@@ -57,8 +57,8 @@ def test_numba(law):
     step, kept = expected(law, deepest, depth)
     found = np.array([step_of(d, m) for d, m in zip(depth, deepest, strict=True)])
     assert np.array_equal(found[:, 2], kept)
-    assert found[:, 0] == pytest.approx(step.force, rel=1e-14, abs=1e-16 * law.largest_force)
-    assert found[:, 1] == pytest.approx(step.stiffness, rel=1e-14)
+    assert found[:, 0] == pytest.approx(step.force, rel=1e-11, abs=1e-14 * law.largest_force)
+    assert found[:, 1] == pytest.approx(step.stiffness, rel=1e-11)
     assert np.isnan(step_of(1.1e-5, 0.0)).all() and np.isnan(step_of(np.nan, 0.0)).all()
 
 
@@ -70,7 +70,7 @@ def test_jax(law):
     step, kept = expected(law, deepest, depth)
     force, after = steps(depth, deepest)
     assert np.array_equal(after, kept)
-    assert np.asarray(force) == pytest.approx(step.force, rel=1e-12, abs=1e-15 * law.largest_force)
+    assert np.asarray(force) == pytest.approx(step.force, rel=1e-11, abs=1e-14 * law.largest_force)
     slope = jax.vmap(jax.grad(lambda d, m: steps(d, m)[0]))(depth, deepest)
     moved = depth != 0.0
     assert np.asarray(slope)[moved] == pytest.approx(step.stiffness[moved], rel=1e-6, abs=1e-9 * np.max(step.stiffness))

@@ -49,7 +49,7 @@ def torch_function(law: ContactLaw, quantity: str = "force", branch: str = "unlo
 def numba_plastic_function(law: PlasticLaw) -> Any:
     """A function of numba that takes one depth d [length] and the largest depth of the contact before it [length], at first 0, and
     returns F [modulus length^2], dF/dd [modulus length] and the largest depth after it; NaN where the law raises. The law is
-    without adhesion. It is bitwise identical to the law but for the arc sine of the C library.
+    without adhesion. It is the law within 1e-11.
     """
     from ._plastic_numba import function
 

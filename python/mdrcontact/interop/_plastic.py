@@ -41,7 +41,8 @@ class Numbers:
         self.head = dict(zip(HEAD, buffer.tolist(), strict=False))
         panels, rows = int(self.head["panels"]), int(self.head["rows"])
         self.elastic = law_arrays(buffer[int(self.head["elastic"]) :])
-        self.rows = buffer[rows : rows + 24 * panels].reshape(panels, 24).copy()
+        # the polynomials of F, a and the share of uniform pressure
+        self.rows = buffer[rows : rows + 32 * panels].reshape(panels, 8, 4).transpose(0, 2, 1)[:, :3].reshape(panels, 24).copy()
         edges = int(self.head["edges"])
         self.edges = buffer[edges : edges + panels + 1].copy() if edges else None
 

@@ -179,6 +179,9 @@ CHOICES: dict[str, tuple[Any, ...]] = {
 """Words of arguments."""
 
 PRESENT: dict[str, tuple[Any, ...]] = {
+    "Yielding.hardening": (((0.0, 2e-3), (0.02, 2.3e-3)),),
+    "Yielding.yield_stress": (2.1e-3,),
+    "PlasticLaw.other": (mdr.Elastic(3.0, 0.25),),
     "Contact.history.force": ((0.0, 0.2, 0.3),),
     "Contact.history.radius": ((0.0, 0.5, 0.6),),
     "Contact.dynamic_stiffness.depth": (0.2,),

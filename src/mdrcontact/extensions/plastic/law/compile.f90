@@ -27,8 +27,8 @@ module mdrcontact_plastic_law_compile
     !> First number of the buffer, and numbers of its head: struct mdr_plastic_head.
     real(wp), parameter :: format = 1296843601.0_wp
     integer, parameter :: head_size = 16
-    !> Columns of a panel: F, a and the share of uniform pressure; and with the work that adhesion takes.
-    integer, parameter :: columns = 3, row = coefficient_count
+    !> Columns of a panel: F, a, the share of uniform pressure and 1/(E* a).
+    integer, parameter :: columns = 4, row = coefficient_count
     !> Length of the first panel over the yield depth, and the most bits that number a panel.
     real(wp), parameter :: first_panel = 1.0e-4_wp
     integer, parameter :: fewest_bits = 2, most_bits = 7
@@ -224,7 +224,7 @@ contains
         type(loaded_t) :: state
 
         state = loading%at_depth(min(max(depth, loading%first), loading%last))
-        numbers = [state%force, state%radius, state%uniform]
+        numbers = [state%force, state%radius, state%uniform, 1.0_wp/(loading%modulus*state%radius)]
     end function numbers_at
 
     !> Writes the buffer.
@@ -298,8 +298,9 @@ contains
         integer :: j
 
         half = 0.5_wp*(ends(2) - ends(1))
+        ! the columns of a power lie together
         do j = 1, columns
-            buffer(places(1) + row*(j - 1) + 1:places(1) + row*j) = in_units_of(c(:, j), unit)
+            buffer(places(1) + j:places(1) + j + columns*(row - 1):columns) = in_units_of(c(:, j), unit)
         end do
         moments = polynomial_moments(c(:, 1), -1.0_wp)
         middle = work - half*moments(1)
@@ -387,8 +388,10 @@ contains
         if (ends > 0) law%buffer(ends + 1:ends + n + 1) = factor*law%buffer(ends + 1:ends + n + 1)
         do i = 1, n
             associate (panel => law%buffer(rows + columns*row*(i - 1) + 1:rows + columns*row*i))
-                panel(:row) = factor**2*panel(:row)
-                panel(row + 1:) = factor*panel(row + 1:)
+                panel(1::columns) = factor**2*panel(1::columns)
+                panel(2::columns) = factor*panel(2::columns)
+                panel(3::columns) = factor*panel(3::columns)
+                panel(4::columns) = panel(4::columns)/factor
             end associate
         end do
         law%buffer(energy + 1:energy + n) = factor**3*law%buffer(energy + 1:energy + n)
