@@ -20,7 +20,9 @@ __all__ = ["CapState", "PressureCap", "truncated_hertz"]
 
 @dataclass(frozen=True)
 class CapState:
-    """State under a pressure cap; each number has the shape of the input.
+    """State under a pressure cap.
+
+    Each number has the shape of the input.
 
     Examples
     --------
@@ -263,7 +265,7 @@ def truncated_hertz(x: ArrayLike, radius: float, largest: float, hardness: float
 
     Examples
     --------
-    >>> print(f"{mdr.plastic.truncated_hertz(0.4, 1.0, 1.0, 0.5):.6f}")
+    >>> print(f"{mdr.plastic.truncated_hertz(0.4, 1.0, 2.0 / np.pi, 0.5):.6f}")
     0.786624
     """
     given = number("radius", radius), number("largest", largest), number("hardness", hardness)

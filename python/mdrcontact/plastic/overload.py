@@ -48,7 +48,9 @@ class LoadingPoints(NamedTuple):
 
 @dataclass(frozen=True)
 class OverloadState:
-    """State of first loading by the overload rule; each number has the shape of the input.
+    """State of first loading by the overload rule.
+
+    Each number has the shape of the input.
 
     Examples
     --------
@@ -102,9 +104,9 @@ class OverloadState:
 
 @dataclass(frozen=True)
 class Overload(Value):
-    """First loading of coated bodies, and of indenters between a cone and a paraboloid, by the overload rule.
+    """First loading of coated bodies, cones and paraboloids by the overload rule.
 
-    The rule is a model. The mean pressure p of the elastic contact at the same radius gives `Lambda = (3 pi/4) p/Y`, with Y of the
+    The rule is a model, for indenters between a cone and a paraboloid. The mean pressure p of the elastic contact at the same radius gives `Lambda = (3 pi/4) p/Y`, with Y of the
     surface. Lambda then determines force and depth as for a paraboloid on a half-space.
 
     Parameters
@@ -122,15 +124,12 @@ class Overload(Value):
     InvalidArgumentError
         The number of yield stresses is not that of the materials, one is not greater than 0, or the contact has adhesion.
 
-    Warns
-    -----
-    PlasticityWarning
-        In a state of a sphere a/R exceeds 0.1, or in one of a coated body a exceeds the thickness: the message gives the error.
-
     Notes
     -----
     States raise an error where the rule does not hold: a > 2 thicknesses of the surface layer, a material below it that yields,
     Lambda > 250, a/R > 0.3 of a sphere, other indenters, and a mean elastic pressure that falls with the radius.
+
+    A `PlasticityWarning` gives the error if a/R of a sphere exceeds 0.1, or a exceeds the thickness of the surface layer.
 
     By comparison with finite elements the errors of force and depth are 0.2 % for paraboloids on half-spaces, 1.5 % and 2 % for
     cones, 5 % and 1 % (cones 7 %) on films up to a = h, and 9 % and 14 % up to a = 2 h.

@@ -460,3 +460,18 @@ _except(
     "ContactLaw.table.branch=loading lammps.table.branch=loading overclosure.table.branch=loading",
     "returned",
 )
+_except(
+    "conducting has no part in mechanics",
+    "Elastic.conductor=present",
+    "overload pressure_cap",
+)
+_except(
+    "without adhesion no spring is stretched",
+    "Contact.adhesion_rule=paper Contact.adhesion_rule=energy",
+    "overload pressure_cap",
+)
+_except(
+    "the yield stress of a body below the film decides only whether the rule holds",
+    "Overload.yield_stresses[1]",
+    "overload",
+)

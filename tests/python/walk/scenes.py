@@ -432,7 +432,12 @@ def _plastic_models() -> list[Scene]:
             mdr.plastic.Overload(mdr.Contact(mdr.Cone(0.05), mdr.Homogeneous(film)), (6e-3,)),
             ("overload",),
         ),
-        Scene("pressure cap", mdr.plastic.PressureCap(contact, 0.015), ("pressure_cap",)),
+        Scene(
+            "pressure cap",
+            mdr.plastic.PressureCap(mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(film, 0.02, base)), 0.015),
+            ("pressure_cap",),
+            only=("hardness", "contact.indenter", "contact.medium.layers", "contact.medium.substrate.E"),
+        ),
     ]
 
 
