@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -106,8 +107,8 @@ class OverloadState:
 class Overload(Value):
     """First loading of coated bodies, cones and paraboloids by the overload rule.
 
-    The rule is a model, for indenters between a cone and a paraboloid. The mean pressure p of the elastic contact at the same radius gives `Lambda = (3 pi/4) p/Y`, with Y of the
-    surface. Lambda then determines force and depth as for a paraboloid on a half-space.
+    The rule is a model, for indenters between a cone and a paraboloid. The mean pressure p of the elastic contact at the same radius
+    gives `Lambda = (3 pi/4) p/Y`, with Y of the surface. Lambda then determines force and depth as for a paraboloid on a half-space.
 
     Parameters
     ----------
@@ -145,7 +146,7 @@ class Overload(Value):
     """
 
     contact: Contact
-    yield_stresses: tuple[float, ...]
+    yield_stresses: Sequence[float]
 
     def __post_init__(self) -> None:
         if not isinstance(self.contact, Contact):

@@ -15,6 +15,7 @@ from .programs import PROGRAMS
 from .relaxing import RELAXING
 from .rubbing import RUBBING
 from .wearing import WEARING
+from .yielding import YIELDING
 
 __all__ = ["CHECKS", "GROUPS", "Check", "Comparison"]
 
@@ -27,6 +28,7 @@ GROUPS: tuple[Group, ...] = (
     Group("time", "Viscoelastic bodies and gels", RELAXING),
     Group("conduction", "Heat and current", CONDUCTING),
     Group("wear", "Wear", WEARING),
+    Group("plastic", "Bodies that yield", YIELDING),
     Group("products", "Laws, fits, composites", PRODUCTS),
     Group("elements", "Finite elements", ELEMENTS),
     Group("programs", "Boundary-element programs", PROGRAMS),

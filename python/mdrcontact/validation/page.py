@@ -120,13 +120,13 @@ _WORK = re.compile(r"(?P<author>[A-Z]\w+)(?:, [A-Z]\w+| et al\.)* (?P<year>\d{4}
 
 
 def cited(source: str) -> str:
-    """Link each work of a source to its entry in the bibliography."""
+    """Link each work of a source to its entry in the bibliography, and the theory to its page."""
 
     def linked(found: re.Match[str]) -> str:
         author = unicodedata.normalize("NFKD", found["author"].lower()).encode("ascii", "ignore").decode()
         return f"[{found[0]}](bibliography.md#{author}-{found['year']})"
 
-    return _WORK.sub(linked, source)
+    return _WORK.sub(linked, source).replace("theory of plasticity", "[theory of plasticity](theory/plastic.md#10-accuracy)")
 
 
 def markdown(rows: Sequence[Row]) -> str:
