@@ -107,8 +107,9 @@ class OverloadState:
 class Overload(Value):
     """First loading of coated bodies, cones and paraboloids by the overload rule.
 
-    The rule is a model, for indenters between a cone and a paraboloid. The mean pressure p of the elastic contact at the same radius
-    gives `Lambda = (3 pi/4) p/Y`, with Y of the surface. Lambda then determines force and depth as for a paraboloid on a half-space.
+    The rule is a model, for indenters between a cone and a paraboloid. The mean pressure p of the elastic contact at the same
+    radius gives `Lambda = (3 pi/4) p/Y`, with Y of the surface. Lambda then determines force and depth as for a paraboloid on a
+    half-space.
 
     Parameters
     ----------
