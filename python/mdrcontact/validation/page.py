@@ -119,6 +119,10 @@ CAPTION = "*A panel for each row of the table below. Circles: reference. Crosses
 _WORK = re.compile(r"(?P<author>[A-Z]\w+)(?:, [A-Z]\w+| et al\.)* (?P<year>\d{4})")
 
 
+_THEORY = {"theory of plasticity": "plastic"}
+"""Pages of theory whose section 10 describes finite elements."""
+
+
 def cited(source: str) -> str:
     """Link each work of a source to its entry in the bibliography, and the theory to its page."""
 
@@ -126,7 +130,10 @@ def cited(source: str) -> str:
         author = unicodedata.normalize("NFKD", found["author"].lower()).encode("ascii", "ignore").decode()
         return f"[{found[0]}](bibliography.md#{author}-{found['year']})"
 
-    return _WORK.sub(linked, source).replace("theory of plasticity", "[theory of plasticity](theory/plastic.md#10-accuracy)")
+    text = _WORK.sub(linked, source)
+    for words, page in _THEORY.items():
+        text = text.replace(words, f"[{words}](theory/{page}.md#10-accuracy)")
+    return text
 
 
 def markdown(rows: Sequence[Row]) -> str:
