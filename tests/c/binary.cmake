@@ -7,8 +7,7 @@ if(NOT result EQUAL 0 OR NOT symbols MATCHES "mdr_contact_new")
 endif()
 string(REGEX MATCHALL "[^\n]+ [bBdD] [^\n]+" data "${symbols}")
 # Type descriptors of the compiler; the error text, the number of threads, the question whether to stop and the arithmetic of the
-# host, which are thread-local; and an
-# atomic that says whether GSL's handler is off.
+# host, which are thread-local; and an atomic that says whether GSL's handler is off.
 list(FILTER data EXCLUDE REGEX "(___vtab_|___def_init_|__copy_| last_text$| last_length$| last_failure$| wanted_threads$| cancel_state$| host_arithmetic$| handler_state$)")
 if(data)
   string(REPLACE ";" "\n" data "${data}")
