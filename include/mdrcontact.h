@@ -75,6 +75,9 @@
  * macro MDR_FREE, which also sets the variable to NULL. Handles are immutable, except histories (mdr_friction_history and the
  * history of wear), which only one thread may use at a time.
  *
+ * @par Arrays
+ * An array has at most 2147418112 entries, 2^31 - 65536; a larger n returns MDR_EINVALID.
+ *
  * @par Lifetime of arguments
  * Every call copies what it needs from its arguments: handles, arrays, texts, and structures with the handles and arrays to which
  * they point. Arguments must be valid until the call returns. The program may change or free them afterwards. User functions are

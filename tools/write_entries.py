@@ -44,7 +44,9 @@ def refusals(arguments, said, opened):
     for words, name in zip(arguments, names, strict=True):
         kind, stars = re.fullmatch(r"(?:const )?(\w+) ?(\**).*", words).groups()
         if name in lengths and name in COUNTS:
-            lines.append(f'    if ({name} < 0) return mdrcontact_refuse_count("{name}", {name});')
+            # room may be larger than what is written; loops over more entries would end beyond the range of int
+            most = "" if name == "capacity" else f" || {name} > MDRCONTACT_MOST_ENTRIES"
+            lines.append(f'    if ({name} < 0{most}) return mdrcontact_refuse_count("{name}", {name});')
         if not (stars or "[" in words) or (kind in opened and stars == "*") or "NULL" in said[name]:
             continue
         size = re.search(r"\[.*?\]", said[name])

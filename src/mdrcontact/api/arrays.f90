@@ -13,6 +13,9 @@ module mdrcontact_api_arrays
               check_each_not_negative, check_each_within
     public :: make_room, return_parts, check_results, check_results_or_infinity, check_positive_results
 
+    !> refuse.h: 2^31 less as many entries as any loop takes at a time.
+    integer(c_int), parameter :: most_entries = 2147418112_c_int
+
     !> Room for n results, unless there is an error: they are written to the array of the caller when all of them are known.
     interface make_room
         module procedure :: make_real_room, make_complex_room
@@ -20,12 +23,14 @@ module mdrcontact_api_arrays
 
 contains
 
-    !> Raises unless n >= 0.
+    !> Raises unless n >= 0, and loops over n entries end within the range of integers.
     pure subroutine check_count(error, n)
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int), intent(in) :: n
 
-        call check_count_from(error, "n", int(n), 0)
+        if (n < 0) call check_count_from(error, "n", int(n), 0)
+        if (n > most_entries) call raise(error, error_invalid, " = "//count_text(int(n))//": it must be at most "// &
+                                         count_text(int(most_entries))//". Divide the arrays", "n")
     end subroutine check_count
 
     !> Raises unless the array is there or has no elements.

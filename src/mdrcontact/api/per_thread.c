@@ -73,8 +73,9 @@ int mdrcontact_refuse_null(const char *argument)
 
 int mdrcontact_refuse_count(const char *argument, int count)
 {
-    char text[80];
-    snprintf(text, sizeof text, " = %d: it must be at least 0", count);
+    char text[96];
+    if (count < 0) snprintf(text, sizeof text, " = %d: it must be at least 0", count);
+    else snprintf(text, sizeof text, " = %d: it must be at most %d. Divide the arrays", count, MDRCONTACT_MOST_ENTRIES);
     return refuse(MDR_EINVALID, argument, text);
 }
 
