@@ -19,7 +19,7 @@ int mdr_rate_new(const mdr_contact *c, const mdr_rate_options *options, mdr_rate
 int mdrcontact_entry_rate_work(const mdr_rate_options *options, int n, const double v[], double out[], double *time, double *zone);
 int mdr_rate_work(const mdr_rate_options *options, int n, const double v[], double out[], double *time, double *zone)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !v) return mdrcontact_refuse_null("v");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_rate_work(options, n, v, out, time, zone);
@@ -38,7 +38,7 @@ int mdr_rate_history(const mdr_rate *r, int control, double spring_stiffness, do
         mdr_rate_state *end)
 {
     if (!start) return mdrcontact_refuse_null("start");
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !time) return mdrcontact_refuse_null("time");
     if (n > 0 && !in) return mdrcontact_refuse_null("in");
     if (!end) return mdrcontact_refuse_null("end");
@@ -60,7 +60,7 @@ int mdr_contact_adhesive_history(const mdr_contact *c, int control, double sprin
         double F[], mdr_rate_state *end)
 {
     if (!start) return mdrcontact_refuse_null("start");
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !time) return mdrcontact_refuse_null("time");
     if (n > 0 && !in) return mdrcontact_refuse_null("in");
     if (!end) return mdrcontact_refuse_null("end");

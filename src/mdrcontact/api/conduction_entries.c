@@ -9,9 +9,9 @@ int mdrcontact_entry_conduction_new(int n, const mdr_conductor lower[], int lowe
 int mdr_conduction_new(int n, const mdr_conductor lower[], int lower_base, int m, const mdr_conductor upper[], int upper_base,
         double film, double sink, mdr_conduction **out)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !lower) return mdrcontact_refuse_null("lower");
-    if (m < 0) return mdrcontact_refuse_count("m", m);
+    if (m < 0 || m > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("m", m);
     if (m > 0 && !upper) return mdrcontact_refuse_null("upper");
     if (!out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_conduction_new(n, lower, lower_base, m, upper, upper_base, film, sink, out);
@@ -25,7 +25,7 @@ int mdr_conduction_new(int n, const mdr_conductor lower[], int lower_base, int m
 int mdrcontact_entry_conduction_spot(const mdr_conduction *p, int n, const double radius[], double conductance[], double slope[]);
 int mdr_conduction_spot(const mdr_conduction *p, int n, const double radius[], double conductance[], double slope[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !radius) return mdrcontact_refuse_null("radius");
     if (arithmetic_is_set()) return mdrcontact_entry_conduction_spot(p, n, radius, conductance, slope);
     fenv_t callers;
@@ -53,7 +53,7 @@ int mdrcontact_entry_conduction_field(const mdr_conduction *p, int field, double
 int mdr_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, double time, int n,
         const double r[], const double z[], double out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !r) return mdrcontact_refuse_null("r");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_conduction_field(p, field, radius, body, below, time, n, r, z, out);
@@ -68,7 +68,7 @@ int mdrcontact_entry_conduction_compliance(const mdr_conduction *p, double omega
         double imaginary[]);
 int mdr_conduction_compliance(const mdr_conduction *p, double omega, int n, const double k[], double out[], double imaginary[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !k) return mdrcontact_refuse_null("k");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_conduction_compliance(p, omega, n, k, out, imaginary);
@@ -84,7 +84,7 @@ int mdrcontact_entry_conduction_admittance(const mdr_conduction *p, int answer, 
 int mdr_conduction_admittance(const mdr_conduction *p, int answer, double radius, int n, const double omega[], double in_phase[],
         double ahead[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !omega) return mdrcontact_refuse_null("omega");
     if (n > 0 && !in_phase) return mdrcontact_refuse_null("in_phase");
     if (n > 0 && !ahead) return mdrcontact_refuse_null("ahead");
@@ -101,7 +101,7 @@ int mdrcontact_entry_conduction_follow(const mdr_conduction *p, int answer, doub
 int mdr_conduction_follow(const mdr_conduction *p, int answer, double radius, int n, const double time[], const double given[],
         double out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !time) return mdrcontact_refuse_null("time");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_conduction_follow(p, answer, radius, n, time, given, out);
@@ -163,7 +163,7 @@ int mdrcontact_entry_conduction_along(const mdr_conduction *p, const mdr_contact
 int mdr_conduction_along(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[], double conductance[],
         double by_force[], double by_depth[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !states) return mdrcontact_refuse_null("states");
     if (arithmetic_is_set()) return mdrcontact_entry_conduction_along(p, c, n, states, conductance, by_force, by_depth);
     fenv_t callers;
@@ -178,7 +178,7 @@ int mdrcontact_entry_conduction_heat(const mdr_conduction *p, const mdr_contact 
 int mdr_conduction_heat(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[], int motion, double strength,
         double speed, mdr_friction_heat out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !states) return mdrcontact_refuse_null("states");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_conduction_heat(p, c, n, states, motion, strength, speed, out);
@@ -195,7 +195,7 @@ int mdr_conduction_heat_field(const mdr_conduction *p, const mdr_contact *c, con
         int body, int below, int n, const double r[], const double z[], double out[])
 {
     if (!state) return mdrcontact_refuse_null("state");
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !r) return mdrcontact_refuse_null("r");
     if (n > 0 && !z) return mdrcontact_refuse_null("z");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");

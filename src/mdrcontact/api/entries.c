@@ -119,7 +119,7 @@ int mdrcontact_entry_profile_area_function(int n, const double coefficients[], d
         mdr_profile **out);
 int mdr_profile_area_function(int n, const double coefficients[], double min_height, double max_height, mdr_profile **out)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !coefficients) return mdrcontact_refuse_null("coefficients");
     if (!out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_profile_area_function(n, coefficients, min_height, max_height, out);
@@ -133,7 +133,7 @@ int mdr_profile_area_function(int n, const double coefficients[], double min_hei
 int mdrcontact_entry_profile_table(int quantity, int n, const double x[], const double y[], mdr_profile **out);
 int mdr_profile_table(int quantity, int n, const double x[], const double y[], mdr_profile **out)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !x) return mdrcontact_refuse_null("x");
     if (n > 0 && !y) return mdrcontact_refuse_null("y");
     if (!out) return mdrcontact_refuse_null("out");
@@ -160,7 +160,7 @@ int mdr_profile_function(mdr_function height, void *context, double largest_radi
 int mdrcontact_entry_profile_sum(int n, const mdr_profile *const terms[], mdr_profile **out);
 int mdr_profile_sum(int n, const mdr_profile *const terms[], mdr_profile **out)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (!out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_profile_sum(n, terms, out);
     fenv_t callers;
@@ -173,7 +173,7 @@ int mdr_profile_sum(int n, const mdr_profile *const terms[], mdr_profile **out)
 int mdrcontact_entry_profile_values(const mdr_profile *p, int quantity, int n, const double x[], double out[]);
 int mdr_profile_values(const mdr_profile *p, int quantity, int n, const double x[], double out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !x) return mdrcontact_refuse_null("x");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_profile_values(p, quantity, n, x, out);
@@ -189,7 +189,7 @@ int mdrcontact_entry_material_viscoelastic(double relaxed_shear_modulus, int n, 
 int mdr_material_viscoelastic(double relaxed_shear_modulus, int n, const double moduli[], const double times[], double viscosity,
         double nu, double bulk_modulus, mdr_material **out)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !moduli) return mdrcontact_refuse_null("moduli");
     if (n > 0 && !times) return mdrcontact_refuse_null("times");
     if (!out) return mdrcontact_refuse_null("out");
@@ -219,7 +219,7 @@ int mdrcontact_entry_material_values(const mdr_material *m, int quantity, int n,
         double imaginary[]);
 int mdr_material_values(const mdr_material *m, int quantity, int n, const double x[], double out[], double imaginary[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !x) return mdrcontact_refuse_null("x");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_material_values(m, quantity, n, x, out, imaginary);
@@ -245,7 +245,7 @@ int mdrcontact_entry_body_layered(int n, const mdr_layer *layers, const mdr_laye
         mdr_body **out);
 int mdr_body_layered(int n, const mdr_layer *layers, const mdr_layer *substrate, const mdr_surface *surface, mdr_body **out)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (!out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_body_layered(n, layers, substrate, surface, out);
     fenv_t callers;
@@ -258,7 +258,7 @@ int mdr_body_layered(int n, const mdr_layer *layers, const mdr_layer *substrate,
 int mdrcontact_entry_body_graded(int n, const double z[], const double E[], const double nu[], mdr_body **out);
 int mdr_body_graded(int n, const double z[], const double E[], const double nu[], mdr_body **out)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !z) return mdrcontact_refuse_null("z");
     if (n > 0 && !E) return mdrcontact_refuse_null("E");
     if (n > 0 && !nu) return mdrcontact_refuse_null("nu");
@@ -322,7 +322,7 @@ int mdrcontact_entry_body_compliance(const mdr_body *body, int load, double omeg
         double imaginary[]);
 int mdr_body_compliance(const mdr_body *body, int load, double omega, int n, const double k[], double out[], double imaginary[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !k) return mdrcontact_refuse_null("k");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_body_compliance(body, load, omega, n, k, out, imaginary);
@@ -372,7 +372,7 @@ int mdr_medium_pair(const mdr_medium *lower, const mdr_medium *upper, mdr_medium
 int mdrcontact_entry_medium_table(int n, const double a[], const double moduli[], mdr_medium **out);
 int mdr_medium_table(int n, const double a[], const double moduli[], mdr_medium **out)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !a) return mdrcontact_refuse_null("a");
     if (n > 0 && !moduli) return mdrcontact_refuse_null("moduli");
     if (!out) return mdrcontact_refuse_null("out");
@@ -400,7 +400,7 @@ int mdr_medium_function(mdr_function modulus, void *context, double smallest_rad
 int mdrcontact_entry_medium_values(const mdr_medium *m, int quantity, int n, const double a[], double out[]);
 int mdr_medium_values(const mdr_medium *m, int quantity, int n, const double a[], double out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !a) return mdrcontact_refuse_null("a");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_medium_values(m, quantity, n, a, out);
@@ -414,7 +414,7 @@ int mdr_medium_values(const mdr_medium *m, int quantity, int n, const double a[]
 int mdrcontact_entry_weight(int weight, double nu, int n, const double xi[], double out[]);
 int mdr_weight(int weight, double nu, int n, const double xi[], double out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !xi) return mdrcontact_refuse_null("xi");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_weight(weight, nu, n, xi, out);
@@ -441,7 +441,7 @@ int mdr_contact_new(const mdr_profile *profile, const mdr_medium *medium, const 
 int mdrcontact_entry_contact_states(const mdr_contact *c, int given, int branch, int n, const double in[], mdr_state out[]);
 int mdr_contact_states(const mdr_contact *c, int given, int branch, int n, const double in[], mdr_state out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !in) return mdrcontact_refuse_null("in");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_contact_states(c, given, branch, n, in, out);
@@ -455,7 +455,7 @@ int mdr_contact_states(const mdr_contact *c, int given, int branch, int n, const
 int mdrcontact_entry_contact_slope(const mdr_contact *c, int n, const mdr_state states[], double out[]);
 int mdr_contact_slope(const mdr_contact *c, int n, const mdr_state states[], double out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !states) return mdrcontact_refuse_null("states");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_contact_slope(c, n, states, out);
@@ -529,7 +529,7 @@ int mdr_load_energy(const mdr_load *load, double *lower, double *upper)
 int mdrcontact_entry_load_field(const mdr_load *load, int field, int n, const double r[], double out[]);
 int mdr_load_field(const mdr_load *load, int field, int n, const double r[], double out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !r) return mdrcontact_refuse_null("r");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_load_field(load, field, n, r, out);
@@ -568,7 +568,7 @@ int mdrcontact_entry_load_interior(const mdr_load *load, int body, int side, dou
 int mdr_load_interior(const mdr_load *load, int body, int side, double friction, int n, const double r[], const double z[],
         const double angle[], mdr_interior out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !r) return mdrcontact_refuse_null("r");
     if (n > 0 && !z) return mdrcontact_refuse_null("z");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
@@ -625,7 +625,7 @@ int mdrcontact_entry_contact_first_failure(const mdr_contact *c, int body, doubl
 int mdr_contact_first_failure(const mdr_contact *c, int body, double friction, double largest_radius, int n,
         const mdr_strength strengths[], int capacity, mdr_failure_load out[], int *count)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !strengths) return mdrcontact_refuse_null("strengths");
     if (capacity < 0) return mdrcontact_refuse_count("capacity", capacity);
     if (capacity > 0 && !out) return mdrcontact_refuse_null("out");
@@ -667,7 +667,7 @@ int mdr_shear_new(const mdr_friction *f, const mdr_load *load, int direction, md
 int mdrcontact_entry_shear_states(const mdr_shear *s, int given, int n, const double in[], mdr_shear_state out[]);
 int mdr_shear_states(const mdr_shear *s, int given, int n, const double in[], mdr_shear_state out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !in) return mdrcontact_refuse_null("in");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_shear_states(s, given, n, in, out);
@@ -693,7 +693,7 @@ int mdrcontact_entry_shear_field(const mdr_shear *s, const mdr_shear_state *at, 
 int mdr_shear_field(const mdr_shear *s, const mdr_shear_state *at, int field, int n, const double r[], double out[])
 {
     if (!at) return mdrcontact_refuse_null("at");
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !r) return mdrcontact_refuse_null("r");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_shear_field(s, at, field, n, r, out);
@@ -708,7 +708,7 @@ int mdrcontact_entry_shear_loop(const mdr_shear *s, int given, double amplitude,
         double *dissipated);
 int mdr_shear_loop(const mdr_shear *s, int given, double amplitude, int n, double shift[], double force[], double *dissipated)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !shift) return mdrcontact_refuse_null("shift");
     if (n > 0 && !force) return mdrcontact_refuse_null("force");
     if (!dissipated) return mdrcontact_refuse_null("dissipated");
@@ -749,7 +749,7 @@ int mdrcontact_entry_friction_history_advance(mdr_friction_history *h, int norma
 int mdr_friction_history_advance(mdr_friction_history *h, int normal_given, int tangential_given, int n, const double normal[],
         const double tangential[], mdr_state states[], mdr_shear_state out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !normal) return mdrcontact_refuse_null("normal");
     if (n > 0 && !tangential) return mdrcontact_refuse_null("tangential");
     if (n > 0 && !states) return mdrcontact_refuse_null("states");
@@ -866,7 +866,7 @@ int mdrcontact_entry_law_advance(const mdr_law *law, int n, const double force[]
 int mdr_law_advance(const mdr_law *law, int n, const double force[], const double shift[], int is_trial, double tangent[],
         double memory[], double T[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !force) return mdrcontact_refuse_null("force");
     if (n > 0 && !shift) return mdrcontact_refuse_null("shift");
     if (n > 0 && !memory) return mdrcontact_refuse_null("memory");
@@ -882,7 +882,7 @@ int mdr_law_advance(const mdr_law *law, int n, const double force[], const doubl
 int mdrcontact_entry_law_energies(const mdr_law *law, int n, const double memory[], double stored[], double dissipated[]);
 int mdr_law_energies(const mdr_law *law, int n, const double memory[], double stored[], double dissipated[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !memory) return mdrcontact_refuse_null("memory");
     if (arithmetic_is_set()) return mdrcontact_entry_law_energies(law, n, memory, stored, dissipated);
     fenv_t callers;
@@ -895,7 +895,7 @@ int mdr_law_energies(const mdr_law *law, int n, const double memory[], double st
 int mdrcontact_entry_law_turn(const mdr_law *law, int n, const double normal[], const double spin[], double memory[]);
 int mdr_law_turn(const mdr_law *law, int n, const double normal[], const double spin[], double memory[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !normal) return mdrcontact_refuse_null("normal");
     if (n > 0 && !memory) return mdrcontact_refuse_null("memory");
     if (arithmetic_is_set()) return mdrcontact_entry_law_turn(law, n, normal, spin, memory);
@@ -909,7 +909,7 @@ int mdr_law_turn(const mdr_law *law, int n, const double normal[], const double 
 int mdrcontact_entry_closed_form(int formula, int n, const double x[], const double constants[], double out[]);
 int mdr_closed_form(int formula, int n, const double x[], const double constants[], double out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !x) return mdrcontact_refuse_null("x");
     if (!constants) return mdrcontact_refuse_null("constants");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");

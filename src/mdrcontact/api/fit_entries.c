@@ -24,7 +24,7 @@ int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const
         const double sd[], double values[], double covariance[], double widening[], int at_bound[], double weakest_direction[],
         double fitted[], double residuals[], mdr_fit_summary *summary)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !x) return mdrcontact_refuse_null("x");
     if (n > 0 && !y) return mdrcontact_refuse_null("y");
     if (arithmetic_is_set()) return mdrcontact_entry_fit_solve(problem, n, x, y, given, sd, values, covariance, widening, at_bound,
@@ -42,7 +42,7 @@ int mdrcontact_entry_fit_predict(const mdr_fit_problem *problem, int n, const do
 int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
         double fitted[], double radius[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !x) return mdrcontact_refuse_null("x");
     if (n > 0 && !y) return mdrcontact_refuse_null("y");
     if (n > 0 && !fitted) return mdrcontact_refuse_null("fitted");
@@ -59,7 +59,7 @@ int mdrcontact_entry_fit_interval(const mdr_fit_problem *problem, int n, const d
 int mdr_fit_interval(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
         const double sd[], int position, double level, double *lower, double *upper)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !x) return mdrcontact_refuse_null("x");
     if (n > 0 && !y) return mdrcontact_refuse_null("y");
     if (!lower) return mdrcontact_refuse_null("lower");

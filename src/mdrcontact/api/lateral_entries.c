@@ -9,7 +9,7 @@ int mdrcontact_entry_structure_shapes(double E, double nu, int n, const int kind
 int mdr_structure_shapes(double E, double nu, int n, const int kind[], const double parameters[], const double shape_E[],
         const double shape_nu[], const mdr_structure_options *options, mdr_structure **out)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !kind) return mdrcontact_refuse_null("kind");
     if (n > 0 && !parameters) return mdrcontact_refuse_null("parameters");
     if (n > 0 && !shape_E) return mdrcontact_refuse_null("shape_E");
@@ -61,7 +61,7 @@ int mdrcontact_entry_structure_modulus(const mdr_structure *s, int n, const doub
         double out[]);
 int mdr_structure_modulus(const mdr_structure *s, int n, const double x[], const double y[], const double a[], double out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !x) return mdrcontact_refuse_null("x");
     if (n > 0 && !y) return mdrcontact_refuse_null("y");
     if (n > 0 && !a) return mdrcontact_refuse_null("a");
@@ -91,7 +91,7 @@ int mdr_structure_medium(const mdr_structure *s, double x, double y, double smal
 int mdrcontact_entry_lateral_density(int n, const double rho[], const double z[], double nu, double shear[], double poisson[]);
 int mdr_lateral_density(int n, const double rho[], const double z[], double nu, double shear[], double poisson[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !rho) return mdrcontact_refuse_null("rho");
     if (n > 0 && !z) return mdrcontact_refuse_null("z");
     if (n > 0 && !shear) return mdrcontact_refuse_null("shear");

@@ -21,7 +21,7 @@ int mdrcontact_entry_poroelastic_response(const mdr_poroelastic *p, int answer, 
 int mdr_poroelastic_response(const mdr_poroelastic *p, int answer, double shear_modulus, double diffusivity, double radius, int n,
         const double time[], double out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !time) return mdrcontact_refuse_null("time");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_response(p, answer, shear_modulus, diffusivity, radius, n, time,
@@ -38,7 +38,7 @@ int mdrcontact_entry_poroelastic_history(const mdr_poroelastic *p, int given, do
 int mdr_poroelastic_history(const mdr_poroelastic *p, int given, double shear_modulus, double diffusivity, double radius, int n,
         const double time[], const double in[], double out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !time) return mdrcontact_refuse_null("time");
     if (n > 0 && !in) return mdrcontact_refuse_null("in");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
@@ -56,7 +56,7 @@ int mdrcontact_entry_poroelastic_dynamic_stiffness(const mdr_poroelastic *p, dou
 int mdr_poroelastic_dynamic_stiffness(const mdr_poroelastic *p, double shear_modulus, double diffusivity, double radius, int n,
         const double omega[], double storage[], double loss[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !omega) return mdrcontact_refuse_null("omega");
     if (n > 0 && !storage) return mdrcontact_refuse_null("storage");
     if (n > 0 && !loss) return mdrcontact_refuse_null("loss");
@@ -75,7 +75,7 @@ int mdrcontact_entry_poroelastic_pressure(const mdr_poroelastic *p, int kind, in
 int mdr_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, double shear_modulus, double diffusivity,
         double radius, double time, int n, const double r[], double out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !r) return mdrcontact_refuse_null("r");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_pressure(p, kind, is_flat, shear_modulus, diffusivity, radius,
@@ -92,7 +92,7 @@ int mdrcontact_entry_poroelastic_compliance(double nu, int drainage, double thic
 int mdr_poroelastic_compliance(double nu, int drainage, double thickness, double shear_modulus, double diffusivity, double omega,
         int n, const double k[], double out[], double imaginary[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !k) return mdrcontact_refuse_null("k");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity,

@@ -9,7 +9,7 @@ int mdrcontact_entry_contact_history(const mdr_contact *c, int given, double tol
 int mdr_contact_history(const mdr_contact *c, int given, double tolerance, int n, const double time[], const double in[],
         double d[], double a[], double F[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !time) return mdrcontact_refuse_null("time");
     if (n > 0 && !in) return mdrcontact_refuse_null("in");
     if (arithmetic_is_set()) return mdrcontact_entry_contact_history(c, given, tolerance, n, time, in, d, a, F);
@@ -25,7 +25,7 @@ int mdrcontact_entry_contact_dynamic_stiffness(const mdr_contact *c, int n, cons
 int mdr_contact_dynamic_stiffness(const mdr_contact *c, int n, const double omega[], const double radius[], double storage[],
         double loss[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !omega) return mdrcontact_refuse_null("omega");
     if (n > 0 && !radius) return mdrcontact_refuse_null("radius");
     if (n > 0 && !storage) return mdrcontact_refuse_null("storage");
@@ -41,7 +41,7 @@ int mdr_contact_dynamic_stiffness(const mdr_contact *c, int n, const double omeg
 int mdrcontact_entry_contact_step_response(const mdr_contact *c, int step, double radius, int n, const double time[], double out[]);
 int mdr_contact_step_response(const mdr_contact *c, int step, double radius, int n, const double time[], double out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !time) return mdrcontact_refuse_null("time");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_contact_step_response(c, step, radius, n, time, out);

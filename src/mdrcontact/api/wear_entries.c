@@ -9,7 +9,7 @@ int mdrcontact_entry_wear_new(const mdr_contact *c, int n, const double coeffici
 int mdr_wear_new(const mdr_contact *c, int n, const double coefficient[], const double thickness[], double body_coefficient,
         mdr_wear **out)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !coefficient) return mdrcontact_refuse_null("coefficient");
     if (!out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_wear_new(c, n, coefficient, thickness, body_coefficient, out);
@@ -40,7 +40,7 @@ int mdrcontact_entry_wear_track(const mdr_wear *w, const mdr_state *state, doubl
 int mdr_wear_track(const mdr_wear *w, const mdr_state *state, double passes, int n, const double y[], double out[])
 {
     if (!state) return mdrcontact_refuse_null("state");
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !y) return mdrcontact_refuse_null("y");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_wear_track(w, state, passes, n, y, out);
@@ -106,7 +106,7 @@ int mdrcontact_entry_wear_history_advance(mdr_wear_history *h, int given, int n,
 int mdr_wear_history_advance(mdr_wear_history *h, int given, int n, const double sliding[], const double value[],
         mdr_wear_state out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !sliding) return mdrcontact_refuse_null("sliding");
     if (n > 0 && !value) return mdrcontact_refuse_null("value");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
@@ -121,7 +121,7 @@ int mdr_wear_history_advance(mdr_wear_history *h, int given, int n, const double
 int mdrcontact_entry_wear_history_state(const mdr_wear_history *h, int n, const double r[], mdr_wear_state *out, double pressure[]);
 int mdr_wear_history_state(const mdr_wear_history *h, int n, const double r[], mdr_wear_state *out, double pressure[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !r) return mdrcontact_refuse_null("r");
     if (n > 0 && !pressure) return mdrcontact_refuse_null("pressure");
     if (arithmetic_is_set()) return mdrcontact_entry_wear_history_state(h, n, r, out, pressure);
@@ -159,7 +159,7 @@ int mdr_wear_history_save(const mdr_wear_history *h, int capacity, double number
 int mdrcontact_entry_wear_history_restore(mdr_wear_history *h, int n, const double numbers[]);
 int mdr_wear_history_restore(mdr_wear_history *h, int n, const double numbers[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !numbers) return mdrcontact_refuse_null("numbers");
     if (arithmetic_is_set()) return mdrcontact_entry_wear_history_restore(h, n, numbers);
     fenv_t callers;
