@@ -399,7 +399,8 @@ def test_a_design_through_the_callbacks_is_that_of_the_command(page, tmp_path):
     text = text.replace('radius = "10 um"', 'radius = "-10 um"')
     found = asked_of(page, "design-results", {"design.data": {"text": text}, "design-tab.value": "Curves"}, "design.data")
     words = "[indenter]: radius = '-10 um': it must be greater than 0 and finite."
-    assert found["design-alert"]["children"] == words and found["design-where"]["data"] == ["indenter/radius", words]
+    at_field = ["indenter/radius", "It must be greater than 0 and finite."]
+    assert found["design-alert"]["children"] == words and found["design-where"]["data"] == at_field
 
 
 def test_a_fit_through_the_callbacks_is_that_of_the_command(session, page):

@@ -138,6 +138,7 @@ def test_a_message_is_made_of_its_parts(tmp_path):
         read_text(text.replace('"-1 um"', '"wide"'))
     found = problem.value
     assert (found.rule, found.remedy) == ("it is not a length", 'Write it as in "500 nm"')
+    assert found.advice == 'It is not a length. Write it as in "500 nm".'
     assert str(found) == "[indenter]: radius = 'wide': it is not a length. Write it as in \"500 nm\"."
 
 
@@ -148,6 +149,11 @@ def test_errors_are_copied_whole(copied):
             read_text(text)
         other = copied(problem.value)
         assert type(other) is type(problem.value) and str(other) == str(problem.value) and vars(other) == vars(problem.value)
+
+
+def test_too_long_a_text_is_not_read():
+    with pytest.raises(ProblemError, match="it has more than 10 MB"):
+        read_text("# " + "x" * 10_000_000)
 
 
 def test_long_values_are_cut():

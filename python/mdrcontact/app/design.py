@@ -66,14 +66,16 @@ def first_text(session: Session) -> str:
 
 def layout(session: Session) -> list[Any]:
     """Return the form and the results."""
-    from .layout import tabs
-
     choose = dbc.Select(id=f"{NAME}-example", options={"": "choose one", **{name: name for name in examples()}}, value="")
     example = html.Div([html.Label("example", htmlFor=f"{NAME}-example"), choose], className="row")
     left = html.Form(
         [html.Div([editor.head(NAME, "Open"), example], className="head"), html.Div(id=f"{NAME}-form")], className="form"
     )
-    return [*editor.stores(NAME), left, results.frame(NAME, tabs(f"{NAME}-tab", [*STUDIES, _FILE], "Curves", f"results of {NAME}"))]
+    return [
+        *editor.stores(NAME),
+        left,
+        results.frame(NAME, results.tabs(f"{NAME}-tab", [*STUDIES, _FILE], "Curves", f"results of {NAME}")),
+    ]
 
 
 def register(dash: Dash, session: Session) -> None:

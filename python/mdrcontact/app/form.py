@@ -279,7 +279,8 @@ class _Form(NamedTuple):
     def part(self, path: Path, table: Table, values: Values) -> Any:
         """Return the rows of a table: what is given or needed, then the rest behind a fold."""
         names = [one.name for one in fields_of(table, values)]
-        rows, more = [], []
+        rows: list[Any] = []
+        more: list[Any] = []
         for group in (*table.one_of, *table.at_most_one_of):
             here = [key for key in group if key in names]
             given = [key for key in here if spelled(table.field(key), table, values)[1] is not None]

@@ -5,11 +5,10 @@ from __future__ import annotations
 
 from typing import Any
 
-import dash_bootstrap_components as dbc
 from dash import Dash, Input, Output, html
 
 from .. import __version__
-from . import design, measure
+from . import design, measure, results
 from .session import Session
 
 _PAGES = {"Design": design, "Measure": measure}
@@ -22,18 +21,11 @@ def layout(session: Session) -> Any:
     return html.Div(
         [
             html.Header(
-                [html.H1("mdrcontact"), tabs("page", [*_PAGES], first, "pages"), undo, html.Small(f"version {__version__}")]
+                [html.H1("mdrcontact"), results.tabs("page", [*_PAGES], first, "pages"), undo, html.Small(f"version {__version__}")]
             ),
             html.Main([html.Section(page.layout(session), id=f"{name}-page") for name, page in _PAGES.items()]),
         ]
     )
-
-
-def tabs(name: str, words: list[str], first: str, label: str) -> Any:
-    """Return tabs that the arrows change; the page remembers the chosen one while it is open."""
-    buttons = dbc.RadioItems(words, first, id=name, inline=True, persistence=True, persistence_type="session")
-    named: dict[str, Any] = {"aria-label": label}
-    return html.Nav(html.Fieldset([html.Legend(label, className="unseen"), buttons]), className="tabs", **named)
 
 
 class _Page:

@@ -54,8 +54,6 @@ def is_mine(text: str) -> bool:
 
 def layout(session: Session) -> list[Any]:
     """Return the form and the results."""
-    from .layout import tabs
-
     words = "Drop files of an instrument here, or choose them"
     drop = html.Label([words, dcc.Upload("", id=f"{NAME}-drop", multiple=True)], className="drop")
     options = (("moves", "other ranges too"), ("compare", "all models too"))
@@ -64,7 +62,7 @@ def layout(session: Session) -> list[Any]:
     head = html.Div([editor.head(NAME, "Open"), html.Div([start, *boxes], className="buttons")], className="head")
     left = [drop, head, html.Div(id=f"{NAME}-form"), html.Div(id=f"{NAME}-sought")]
     stores = [dcc.Store(id=f"{NAME}-{name}", storage_type="session") for name in ("names", "run")]
-    right = results.frame(NAME, tabs(f"{NAME}-tab", [*_TABS], _TABS[0], f"results of {NAME}"))
+    right = results.frame(NAME, results.tabs(f"{NAME}-tab", [*_TABS], _TABS[0], f"results of {NAME}"))
     return [*editor.stores(NAME), *stores, html.Form(left, className="form"), right]
 
 

@@ -7,6 +7,7 @@ import base64
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import Any, NamedTuple
 
+import dash_bootstrap_components as dbc
 from dash import Output, ctx, dcc, html, no_update
 
 from ..cli.table import as_csv, as_rows
@@ -66,6 +67,13 @@ def frame(name: str, tabs: Any) -> Any:
         ],
         className="results",
     )
+
+
+def tabs(name: str, words: list[str], first: str, label: str) -> Any:
+    """Return tabs that the arrows change; the page remembers the chosen one while it is open."""
+    buttons = dbc.RadioItems(words, first, id=name, inline=True, persistence=True, persistence_type="session")
+    named: dict[str, Any] = {"aria-label": label}
+    return html.Nav(html.Fieldset([html.Legend(label, className="unseen"), buttons]), className="tabs", **named)
 
 
 def outputs(name: str) -> list[Output]:
@@ -181,4 +189,4 @@ def place_of(refusal: Exception) -> tuple[str, str] | None:
     if not isinstance(refusal, ProblemError) or not refusal.path:
         return None
     path = refusal.path[:-1] if refusal.entry else refusal.path
-    return "/".join(map(str, path)), f"{refusal.rule} {refusal.remedy}".strip()
+    return "/".join(map(str, path)), refusal.advice

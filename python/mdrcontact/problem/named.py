@@ -56,6 +56,11 @@ class ProblemError(InvalidArgumentError):
         found.args = (f"{file}: {self}",)
         return found
 
+    @property
+    def advice(self) -> str:
+        """Return rule and remedy as sentences, for a place that shows key and value itself."""
+        return " ".join(_ended(one[:1].upper() + one[1:]) for one in (self.rule, self.remedy) if one)
+
     def at(self, table: str, key: str) -> ProblemError:
         """Give the error its place, and return it; the message stays."""
         self.table, self.key = table, key

@@ -48,9 +48,13 @@ def parse_named(file: NamedFile) -> dict[str, Any]:
         raise problem.within(file.path) from problem
 
 
-def _text(content: bytes) -> str:
-    if len(content) > _LARGEST:
+def _check_size(text: str | bytes) -> None:
+    if len(text) > _LARGEST:
         raise ProblemError(f"it has more than {_LARGEST // 1_000_000} MB, too large for a problem file. Name another file.")
+
+
+def _text(content: bytes) -> str:
+    _check_size(content)
     try:
         return content.decode("utf-8")
     except UnicodeDecodeError as problem:
@@ -59,6 +63,7 @@ def _text(content: bytes) -> str:
 
 def parse_text(text: str) -> dict[str, Any]:
     """Return the tables of a text, which may begin with a byte order mark and have ends of lines of any system."""
+    _check_size(text)
     text = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
     try:
         return tomllib.loads(text)
