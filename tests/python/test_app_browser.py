@@ -32,8 +32,6 @@ from selenium.webdriver.common.by import By  # noqa: E402
 from selenium.webdriver.common.keys import Keys  # noqa: E402
 from selenium.webdriver.support.ui import Select  # noqa: E402
 
-from mdrcontact.problem import edit  # noqa: E402
-
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.skipif(

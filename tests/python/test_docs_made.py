@@ -28,7 +28,8 @@ def test_pictures_are_drawn(script, options, tmp_path):
 
 def test_every_picture_has_a_script_and_a_page():
     kept = {path.name for path in (DOCS / "pictures").iterdir()}
-    scripts = "".join((DOCS / name).read_text(encoding="utf-8") for name in ("make_pictures.py", "make_fitting_pictures.py", "make_app_pictures.py"))
+    makers = ("make_pictures.py", "make_fitting_pictures.py", "make_app_pictures.py")
+    scripts = "".join((DOCS / name).read_text(encoding="utf-8") for name in makers)
     scripts += " ".join(f"validation_{group.name} " for group in GROUPS)  # by mdrcontact validate
     scripts += " ".join(f"gallery_{path.stem}" for path in (ROOT / "examples" / "python").glob("*.py"))  # by docs/make_gallery.py
     assert kept >= SHOWN

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import base64
 from collections.abc import Callable, Hashable, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import dash_bootstrap_components as dbc
@@ -118,16 +119,18 @@ def report(found: Result, figure: Figure | None) -> list[Any]:
     numbers = [html.Div([html.Dt(name), html.Dd(str(number))]) for name, number in found.numbers.items()]
     parts: list[Any] = [html.Dl(numbers, className="numbers")] if numbers else []
     parts += [html.Ul([html.Li(words) for words in found.warnings], className="warnings")] if found.warnings else []
-    parts += [html.P(words, className="note") for words in found.notes.values()]
+    parts += [html.P(words, className="note") for about, words in found.notes.items() if about not in found.tables]
     parts += [panels(figure)] if figure is not None and figure.panels else []
-    return [*parts, *folded(found.tables)]
+    return [*parts, *folded(found.tables, found.notes)]
 
 
-def folded(tables: Mapping[str, Any]) -> list[Any]:
-    """Return tables behind folds; short ones are open."""
-    return [
-        html.Details([html.Summary(f"table: {name}"), table(one)], open=len(one[0].values) <= _FEW) for name, one in tables.items()
-    ]
+def folded(tables: Mapping[str, Any], notes: Mapping[str, str] = MappingProxyType({})) -> list[Any]:
+    """Return tables behind folds, each with what is said about it; short ones are open."""
+    made = []
+    for name, one in tables.items():
+        words = [html.P(notes[name], className="note")] if name in notes else []
+        made.append(html.Details([html.Summary(f"table: {name}"), *words, table(one)], open=len(one[0].values) <= _FEW))
+    return made
 
 
 def table(columns: Any, most: int = _ROWS) -> Any:
