@@ -55,6 +55,10 @@ def computed(session: Session, text: str, tab: str) -> Answer:
     return answer(session, _key(text, tab), tab, work)
 
 
+def _command(tab: str) -> str:
+    return f"mdrcontact {STUDIES[tab].study.__name__} problem.toml"
+
+
 def _key(text: str, tab: str) -> tuple[str, ...]:
     return NAME, tab, text
 
@@ -97,7 +101,7 @@ def register(dash: Dash, session: Session) -> None:
             session.jobs.cancel()
         if tab == _FILE:
             return results.show(_file(text))
-        command = results.files(NAME, f"mdrcontact {STUDIES[tab].study.__name__} problem.toml")
+        command = results.files(NAME, _command(tab))
 
         def report(found: Any) -> list[Any]:
             return [*results.report(found, found.figure()), command]
@@ -116,7 +120,7 @@ def register(dash: Dash, session: Session) -> None:
         found = session.jobs.find(_key(data["text"] if data else first, tab))
         if found is None or not any(clicks):
             raise PreventUpdate
-        return results.written(found, ctx.triggered_id["get"])
+        return results.written(found, ctx.triggered_id["get"], _command(tab))
 
     @dash.callback(
         Output(NAME, "data", allow_duplicate=True),

@@ -16,7 +16,7 @@ _PAGES = {"Design": design, "Measure": measure}
 
 def layout(session: Session) -> Any:
     """Return the whole page."""
-    first = "Measure" if measure.is_mine(session.text) else "Design"
+    first = "Measure" if measure.begin(session)[1] or measure.is_mine(session.text) else "Design"
     undo = html.Button("Undo", id="undo", title="Alt+Z", accessKey="z", n_clicks=0, type="button")
     return html.Div(
         [

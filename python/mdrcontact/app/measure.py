@@ -19,17 +19,18 @@ from ..cli import pages
 from ..cli.files import DATA_SUFFIXES
 from ..cli.table import as_csv
 from ..errors import FileError, MDRError
+from ..instruments.fitting import report as report_of
 from ..instruments.fitting.gel import NAMES as GEL_NAMES
 from ..instruments.fitting.parameters import pattern_of
 from ..instruments.fitting.quantities import dimension_of, words_of
-from ..instruments.schema import FIT, OPTIONS
+from ..instruments.schema import FIT, FREE, OPTIONS
 from ..poroelastic import is_poroelastic
 from ..problem import edit
 from ..progress import Progress
 from ..studies.fit import FittedCurve
 from ..studies.many import FittedCurves
 from . import editor, many, results
-from .form import Path, dom_id, id_of
+from .form import Path, dom_id, id_of, typed
 from .session import Session
 
 NAME = "measure"
@@ -52,7 +53,23 @@ def is_mine(text: str) -> bool:
         return False
 
 
-def layout(session: Session) -> list[Any]:
+def begin(session: Session) -> tuple[str, list[str]]:
+    """Return the text and the files of measurements that the page begins with."""
+    names = [name for name in session.files if name.lower().endswith(DATA_SUFFIXES)]
+    if is_mine(session.text) or (names and not session.text):
+        return session.text or inspected(session, names[0]).inspection.problem, names
+    return "", []
+
+
+def inspected(session: Session, name: str) -> Any:
+    """Return what is in a file."""
+    if name not in session.files:
+        raise FileError(_GONE)
+    path = session.files[name]
+    return session.jobs.now(("inspect", name, path.stat().st_mtime_ns), lambda: studies.inspect(path))
+
+
+def layout(_session: Session) -> list[Any]:
     """Return the form and the results."""
     words = "Drop files of an instrument here, or choose them"
     drop = html.Label([words, dcc.Upload("", id=f"{NAME}-drop", multiple=True)], className="drop")
@@ -110,13 +127,17 @@ def seek(session: Session, text: str, path: Path, value: Any) -> str:
     free = free_of(text)
     known = {key: old for key, old in free.get(name, {}).items() if not key.startswith("prior")}
     if what == _FREE and not value:
-        return edit.changed(text, _AT, [*free.keys() - {name}]) if not any(free.values()) else edit.without(text, (*_AT, name))
+        return (
+            edit.changed(text, _AT, [one for one in free if one != name])
+            if not any(free.values())
+            else edit.without(text, (*_AT, name))
+        )
     if what == _PRIOR and value:
         now = numbers_of(session, text)[name] or 0.0
         is_plain = dimension_of(name) == RATIO
         known |= {
             "prior": now if is_plain else shown(now, dimension_of(name), 9),
-            "prior_sd": json.loads(value) if is_plain else value,
+            "prior_sd": typed(FREE.field("prior_sd")._replace(dimension=RATIO), value) if is_plain else value,
         }
     if not known and not any(free.values()):
         return edit.changed(text, _AT, [*dict.fromkeys((*free, name))])
@@ -138,14 +159,11 @@ def fitted(session: Session, run: Mapping[str, Any], progress: Progress) -> Any:
 
 def report(run: Mapping[str, Any], found: Any) -> list[Any]:
     """Return the verdict first, then estimates, figures, choices and models."""
-    names = ("report.html", "fit.json", "points.csv", "png", "pdf")
+    names = ("report.html", "fit.json", "csv", "xlsx", "png", "pdf")
+    command = results.files(NAME, command_of(run), names)
     if isinstance(found, FittedCurves):
-        return [
-            *many.report(run, found),
-            results.files(NAME, "mdrcontact fit FOLDER --problem problem.toml --report report.html", names),
-        ]
+        return [*many.report(run, found), command]
     fit, notes = found
-    command = results.files(NAME, f"mdrcontact fit {run['names'][0]} --problem problem.toml --report report.html", names)
     if not hasattr(fit.fit, "interval_as_text"):  # a gel
         return [*results.report(fit, None), command]
     verdict = html.P(f"The model {fit.fit.misfit_words()}.", className="verdict")
@@ -179,33 +197,34 @@ def _estimates(found: FittedCurve) -> Any:
     return results.rows([["", "estimate", "95 % interval", "doubts"], *rows])
 
 
-def file_of(found: Any, what: str) -> Any:
+def command_of(run: Mapping[str, Any]) -> str:
+    """Return the command that computes a fit."""
+    data = run["names"][0] if len(run["names"]) == 1 else "FOLDER"
+    return f"mdrcontact fit {data} --problem problem.toml --report report.html" + " --compare" * bool(run.get("compare"))
+
+
+def file_of(session: Session, run: Mapping[str, Any], found: Any, what: str) -> Any:
     """Return a file of a fit for the download."""
     fit, notes = (found, []) if isinstance(found, FittedCurves) else found
     if what == "report.html":
-        page = pages.many_page(fit) if isinstance(fit, FittedCurves) else pages.fit_page(fit, notes)
-        return results.download(what, page)
+        read = {name: session.files[name].read_bytes() for name in run["names"] if name not in run["out"]}
+        origin = report_of.origin(read, run["text"], command_of(run))
+        page = pages.many_page(fit, origin) if isinstance(fit, FittedCurves) else pages.fit_page(fit, notes, origin)
+        return results.download(what, session.shortened(page))
     if what == "fit.json":
-        return results.download(what, json.dumps(fit.to_dict(), indent=2, allow_nan=False) + "\n")
-    if what == "points.csv":
-        return results.download(what, as_csv(fit.tables["estimates" if isinstance(fit, FittedCurves) else "points"]))
-    return results.written(fit, what)
+        return results.download(what, session.shortened(json.dumps(fit.to_dict(), indent=2, allow_nan=False)) + "\n")
+    if what == "csv":
+        return results.download("points.csv", as_csv(fit.tables["estimates" if isinstance(fit, FittedCurves) else "points"]))
+    return results.written(fit, what, command_of(run))
 
 
 def register(dash: Dash, session: Session) -> None:
     """Register the callbacks."""
-    mine = is_mine(session.text)
-    first = session.text if mine else ""
-    known = {"names": [name for name in session.files if name.lower().endswith(DATA_SUFFIXES)] if mine else [], "out": []}
+    first, files_known = begin(session)
+    known = {"names": files_known, "out": []}
     editor.register(dash, NAME, _ROOT, first, lambda text, path, value: seek(session, text, path, value))
 
     many.register(dash, session, NAME)
-
-    def inspected(names: list[str]) -> Any:
-        if names[0] not in session.files:
-            raise FileError(_GONE)
-        path = session.files[names[0]]
-        return session.jobs.now(("inspect", names[0], path.stat().st_mtime_ns), lambda: studies.inspect(path))
 
     @dash.callback(
         Output(f"{NAME}-names", "data"),
@@ -224,7 +243,9 @@ def register(dash: Dash, session: Session) -> None:
             added = session.add({name: editor.content_of(one) for name, one in zip(names, contents, strict=True)})
             texts = [name for name in added if name.endswith(".toml")]
             rest = [name for name in added if name not in texts]
-            text = session.files[texts[0]].read_text("utf-8", "replace") if texts else inspected(rest).inspection.problem
+            text = (
+                session.files[texts[0]].read_text("utf-8", "replace") if texts else inspected(session, rest[0]).inspection.problem
+            )
         except MDRError as refusal:
             return no_update, no_update, str(refusal), no_update
         return {"names": rest, "out": []} if rest else old or known, editor.with_text(data, text), "", "Data"
@@ -276,16 +297,14 @@ def register(dash: Dash, session: Session) -> None:
         if ctx.triggered_id == f"{NAME}-cancel":
             session.jobs.cancel()
         if tab == "File":
-            return results.show(
-                editor.file_tab(NAME, text, [f"mdrcontact fit {(files['names'] or ['DATA'])[0]} --problem problem.toml"], [])
-            )
+            return results.show(editor.file_tab(NAME, text, [command_of({**files, "names": files["names"] or ["DATA"]})], []))
         if not files["names"]:
             return results.show([html.P("Drop a table, a spreadsheet or files of an AFM on the left to begin.", className="note")])
         try:
             if any(name not in session.files for name in files["names"]):
                 raise FileError(_GONE)
             if tab == "Data":
-                return results.show(_found(inspected(files["names"])))
+                return results.show(_found(inspected(session, files["names"][0])))
         except MDRError as refusal:
             return results.show_answer(NAME, results.Answer(refusal=refusal), list, "")
         if not run:
@@ -306,7 +325,7 @@ def register(dash: Dash, session: Session) -> None:
         found = session.jobs.find(editor.key_of(NAME, run))
         if found is None or not any(clicks):
             raise PreventUpdate
-        return file_of(found, ctx.triggered_id["get"])
+        return file_of(session, run, found, ctx.triggered_id["get"])
 
 
 def _found(found: Any) -> list[Any]:

@@ -12,6 +12,7 @@ import dash_bootstrap_components as dbc
 from dash import Output, ctx, dcc, html, no_update
 
 from ..cli.table import as_csv, as_rows
+from ..cli.workbook import as_xlsx
 from ..errors import CancelledError, MDRError
 from ..panels import Figure, matplotlib, plotly
 from ..problem import ProblemError
@@ -147,17 +148,19 @@ def rows(cells: Sequence[Sequence[str]], caption: str = "") -> Any:
     return html.Div(html.Table([*([html.Caption(caption)] if caption else []), titles, lines]), className="table", tabIndex=0)
 
 
-def files(page: str, command: str, names: Sequence[str] = ("csv", "png", "pdf", "svg")) -> Any:
+def files(page: str, command: str, names: Sequence[str] = ("csv", "xlsx", "png", "pdf", "svg")) -> Any:
     """Return the buttons of the files of a result, and the command that computes the same."""
     buttons = [html.Button(name, id={"of": page, "get": name}, n_clicks=0, type="button") for name in names]
     return html.Div(["download ", *buttons, html.Code(command)], className="files")
 
 
-def written(found: Result, what: str) -> Any:
-    """Return a file of a result for the download: "csv", or a format of a figure."""
+def written(found: Any, what: str, command: str) -> Any:
+    """Return a file of a result for the download: "csv", "xlsx", or a format of a figure."""
     if what == "csv":
         return download("result.csv", as_csv([*found.tables.values()][-1]))
-    return download(f"figure.{what}", matplotlib.rendered(matplotlib.draw(found.figure()), what))  # type: ignore[attr-defined]
+    if what == "xlsx":
+        return download("result.xlsx", as_xlsx(found, command))
+    return download(f"figure.{what}", matplotlib.rendered(matplotlib.draw(found.figure()), what))
 
 
 def download(name: str, content: bytes | str) -> dict[str, Any]:
