@@ -452,6 +452,20 @@ def test_the_order_of_clicks_changes_nothing(open_page, seed):
         assert page.numbers() == expected[name] and page.text == text
 
 
+def test_a_range_is_dragged_across_a_curve(open_page):
+    page = open_page()
+    page.tab("Measure")
+    page.drop(FITS / "sphere_on_oxide.csv")
+    plot = page.wait(lambda: page.all("#measure-results .nsewdrag")[0])
+    start = ActionChains(page.driver).move_to_element_with_offset(plot, -60, 0).click_and_hold()
+    start.move_by_offset(60, 5).move_by_offset(60, 5).release().perform()
+    page.wait(lambda: "min_depth" in page.text)
+    page.idle()
+    low, high = (parse(edit.value(page.text, ("data", key)), mdr._units.LENGTH) for key in ("min_depth", "max_depth"))
+    assert 10e-9 < low < 50e-9 < high < 90e-9
+    assert page.field("data/min_depth").get_attribute("value") == edit.value(page.text, ("data", "min_depth"))
+
+
 def test_fields_of_a_fit_show_the_file(open_page):
     page = open_page()
     page.tab("Measure")

@@ -19,6 +19,7 @@ from ..cli import pages
 from ..cli.files import DATA_SUFFIXES
 from ..cli.table import as_csv
 from ..errors import FileError, MDRError
+from ..instruments.files.data_keys import KNOWN
 from ..instruments.fitting import report as report_of
 from ..instruments.fitting.gel import NAMES as GEL_NAMES
 from ..instruments.fitting.parameters import pattern_of
@@ -315,6 +316,21 @@ def register(dash: Dash, session: Session) -> None:
         return [made[0], "dimmed" if is_old else made[1], *made[2:]]
 
     @dash.callback(
+        Output(NAME, "data", allow_duplicate=True),
+        Input({"of": NAME, "drag": ALL}, "selectedData"),
+        State({"of": NAME, "drag": ALL}, "figure"),
+        State(NAME, "data"),
+        prevent_initial_call=True,
+    )
+    def drag(chosen: Any, figures: Any, data: Any) -> Any:
+        """Fit the range that was dragged across a curve."""
+        for one, figure in zip(chosen, figures, strict=True):
+            if one and one.get("range"):
+                axis = figure["layout"]["xaxis"]["title"]["text"]
+                return editor.with_text(data, ranged(data["text"] if data else first, axis, one["range"]["x"]))
+        raise PreventUpdate
+
+    @dash.callback(
         Output(f"{NAME}-file", "data", allow_duplicate=True),
         Input({"of": NAME, "get": ALL}, "n_clicks"),
         State(f"{NAME}-run", "data"),
@@ -335,5 +351,21 @@ def _found(found: Any) -> list[Any]:
     parts: list[Any] = [html.H2(found.title), html.Ul([html.Li(note) for note in (*words, *inspection.notes)])]
     parts += [html.P(str(found.refusal), className="warnings")] if found.refusal else []
     parts += [html.Ul([html.Li(str(fact)) for fact in found.facts])] if found.facts else []
-    guessed = ", ".join(found.guessed)
-    return [*parts, html.P(f"Not in the file, put in yours: {guessed}.", className="note"), *results.report(found, found.figure())]
+    guessed, figure = ", ".join(found.guessed), found.figure()
+    parts += [html.P(f"Not in the file, put in yours: {guessed}.", className="note"), *results.report(found, None)]
+    if not figure.panels:
+        return parts
+    hint = html.P("Drag across a curve to choose the range of depth to fit.", className="hint")
+    return [*parts, *([hint, results.panels(figure, NAME)] if _has_range(inspection.problem) else [results.panels(figure)])]
+
+
+def _has_range(text: str) -> bool:
+    return "min_depth" in KNOWN.keys_of("kind", edit.value(text, ("data", "kind"), ""))
+
+
+def ranged(text: str, axis: str, ends: list[float]) -> str:
+    """Return the text with a range of depth along an axis, whose title has the unit."""
+    unit = axis.partition("[")[2].rstrip("]").replace("\u00b5", "u")
+    for key, end in zip(("min_depth", "max_depth"), sorted(ends), strict=True):
+        text = edit.changed(text, ("data", key), f"{end:.4g} {unit}")
+    return text

@@ -100,14 +100,14 @@ def show_answer(name: str, found: Answer, report: Callable[[Any], Any], said: st
     return show(report(found.result), said)
 
 
-def panels(figure: Figure) -> Any:
-    """Return the drawings of a figure, as many beside each other as there is room."""
-    drawn = [
-        html.Figure(
-            [dcc.Graph(figure=one, config=_CONFIG, style={"height": "340px"}), html.Figcaption(_caption(panel), className="unseen")]
-        )
-        for one, panel in zip(plotly.draw(figure), figure.panels, strict=True)
-    ]
+def panels(figure: Any, drags: str = "") -> Any:
+    """Return the drawings of a figure, as many beside each other as there is room. drags : page that takes ranges from them"""
+    drawn = []
+    for i, (one, panel) in enumerate(zip(plotly.draw(figure), figure.panels, strict=True)):
+        own: dict[str, Any] = {"id": {"of": drags, "drag": i}} if drags else {}
+        one.update_layout({"dragmode": "select", "selectdirection": "h"} if drags else {})
+        graph = dcc.Graph(figure=one, config=_CONFIG, style={"height": "340px"}, **own)
+        drawn.append(html.Figure([graph, html.Figcaption(_caption(panel), className="unseen")]))
     return html.Div(drawn, className="panels")
 
 
