@@ -88,6 +88,15 @@ def command_line(*arguments):
     return printed.getvalue()
 
 
+def check_access(driver):
+    """Fail where a rule of axe for those who cannot see, hear or point well is broken."""
+    driver.execute_script(AXE.read_text(encoding="utf-8"))
+    found = driver.execute_async_script("const done = arguments[0]; axe.run().then(done, one => done({violations: [String(one)]}))")
+    words = [f"{one['id']}: {[node['html'][:200] for node in one['nodes'][:3]]}" for one in found["violations"]]
+    assert not words, "\n".join(words)
+    assert len(found["passes"]) > 15
+
+
 class Keyboard:
     """Keys alone; the browser says what has the focus."""
 
@@ -169,6 +178,7 @@ def test_a_dropped_table_to_a_modulus_within_its_interval(open_page):
     page.drop(FITS / "sphere_on_oxide.csv")
     assert not page.alert and "Not in the file" in page.one("results").text
     picture(page, "data")
+    check_access(page.driver)
     page.type("indenter/radius", "10 um")
     page.choose("medium/type", "coated")
     assert "no number of this problem" in page.one("sought").text
@@ -236,6 +246,7 @@ def test_many_curves_of_which_one_is_broken_and_one_bad(open_page, tmp_path):
     low, high = map(float, mean[2].split(" to "))
     assert low < 72.0 < high
     picture(page, "many")
+    check_access(page.driver)
     # a row that is not ticked is left out, and can be ticked again
     row = next(one for one in page.all("#many-grid .ag-row") if "test_03.csv" in one.text)
     row.find_element(By.CSS_SELECTOR, "input[type=checkbox]").click()
@@ -356,11 +367,7 @@ def test_everyone_can_use_it(open_page, driver, name):
     page = open_page()
     VIEWS[name](page)
     picture(page, f"view_{name}")
-    driver.execute_script(AXE.read_text(encoding="utf-8"))
-    found = driver.execute_async_script("const done = arguments[0]; axe.run().then(done, one => done({violations: [String(one)]}))")
-    words = [f"{one['id']}: {[node['html'][:200] for node in one['nodes'][:3]]}" for one in found["violations"]]
-    assert not words, "\n".join(words)
-    assert len(found["passes"]) > 15
+    check_access(driver)
 
 
 def test_long_work_is_cancelled(open_page):

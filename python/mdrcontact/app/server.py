@@ -39,7 +39,8 @@ _INDEX = """<!DOCTYPE html>
 <body>{%app_entry%}{%config%}{%scripts%}{%renderer%}</body>
 </html>"""
 _ENTRANCE = """<!DOCTYPE html>
-<html lang="en"><head><title>mdrcontact</title><link rel="icon" href="data:,"><meta http-equiv="refresh" content="0;url=/"></head></html>"""
+<html lang="en"><head><title>mdrcontact</title><link rel="icon" href="data:,">
+<meta http-equiv="refresh" content="0;url=/"></head></html>"""
 """Leads to the page from a page of its own: a strict cookie does not follow a redirection from elsewhere."""
 _STRANGER = "This page needs the address that mdrcontact app printed. Open that address."
 
