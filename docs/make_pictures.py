@@ -28,12 +28,14 @@ from matplotlib.ticker import MaxNLocator
 from PIL import Image
 
 import mdrcontact as mdr
+from mdrcontact import studies
 from mdrcontact.conduction import Conduction, Conductor, LayeredConductor
 from mdrcontact.instruments.files.fit_file import load_fit_file
 from mdrcontact.panels.matplotlib import draw
 
 BLUE, RED, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#7f7f7f"
 COLOURS = (BLUE, RED, GREEN, "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8B4513", "#7f7f7f", "#bcbd22")
+EXAMPLES = Path(__file__).resolve().parent.parent / "examples" / "problems"
 UM = 1e6
 
 OXIDE, SILICON = mdr.Elastic(72e9, 0.17), mdr.Elastic(163e9, 0.22)
@@ -405,6 +407,11 @@ def _reader_of(page: str) -> tuple[dict[str, Any], Path]:
     return variables, folder
 
 
+def plastic(quick: bool) -> Any:
+    """An indent in a film, as `mdrcontact imprint --plot` draws it."""
+    return draw(studies.imprint(mdr.problem.load(EXAMPLES / "aluminium_on_silicon.toml")).figure())
+
+
 def tutorial_curve(quick: bool) -> Any:
     """Force-depth curves of a film and its materials, and the pressure."""
     figure = _reader_of("tutorial-python.md")[0]["figure"]
@@ -485,6 +492,7 @@ PICTURES = (
     wear,
     rate,
     conduction,
+    plastic,
     tutorial_curve,
     tutorial_inside,
     tutorial_indent,

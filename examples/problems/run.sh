@@ -17,6 +17,10 @@ for problem in "$(dirname "${BASH_SOURCE[0]}")"/*.toml; do
         "$mdrcontact" history "$problem" --csv "$name.csv" --plot "$name.png" --overwrite
         continue # a viscoelastic body has no force without its past
     fi
+    if has imprint "$problem"; then
+        "$mdrcontact" imprint "$problem" --csv "$name.csv" --plot "$name.png" --overwrite
+        continue # a plastic contact is not loaded elastically
+    fi
     "$mdrcontact" curve "$problem" --csv "$name.csv" --plot "$name.png" --overwrite
     "$mdrcontact" compare "$problem" --plot "$name-models.png" --overwrite
     if has adhesion "$problem"; then

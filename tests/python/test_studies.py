@@ -52,6 +52,7 @@ CASES = {
     "wear": ("tin_on_steel", "states", {}),
     "conduction": ("tin_on_copper", "states", {}),
     "history": ("afm_on_gel", "path", {}),
+    "imprint": ("aluminium_on_silicon", "states", {}),
 }
 """By command: an example, the table that --csv writes, and options that make it."""
 BODY = {

@@ -12,12 +12,13 @@ from ..medium import Medium
 from ..medium.viscoelastic import is_viscoelastic
 from ..poroelastic import is_poroelastic
 from ..profile import Profile
-from . import adhesion, compute, conduction, friction, history, indenter, medium, schema, strength, wear
+from . import adhesion, compute, conduction, friction, history, imprint, indenter, medium, schema, strength, wear
 from .adhesion import Adhesion
 from .compute import Control
 from .conduction import Conducting
 from .friction import Sliding
 from .history import HistoryPath
+from .imprint import Imprinted
 from .named import Files, Folder, Given, GivenFiles
 from .section import WHOLE, ProblemError, Section
 from .strength import Strengths
@@ -44,6 +45,7 @@ _PARTS: Mapping[str, _Part] = {
     "friction": _Part(friction.read_friction, friction.KNOWN, "coefficient = 0.3"),
     "history": _Part(history.read_history, history.KNOWN, 'path = "ramp", depth and rise_time'),
     "wear": _Part(wear.read_wear, wear.KNOWN, 'coefficient = "1e-6 mm^3/(N*m)", sliding = ["1 m"]'),
+    "imprint": _Part(imprint.read_imprint, imprint.KNOWN, 'radius = "1 um", force, depth and residual_depth'),
     "conduction": _Part(conduction.read_conduction, conduction.KNOWN, 'kind = "thermal" or "electrical"'),
 }
 
@@ -60,7 +62,10 @@ class Problem(NamedTuple):
     friction: Sliding | None = None
     history: HistoryPath | None = None
     wear: Rubbing | None = None
+    imprint: Imprinted | None = None
     conduction: Conducting | None = None
+    yield_stresses: tuple[float | None, ...] = ()
+    """of the layers and the substrate of [medium], top to bottom; (): none is given"""
     path: Path | None = None
     """the file; None: the problem is not from a file"""
 
@@ -221,10 +226,12 @@ def _read(table: dict[str, Any], title: str, files: Files) -> Problem:
     for name, known in (("indenter", indenter.KNOWN), ("medium", medium.KNOWN), ("compute", compute.KNOWN)):
         if name in table:
             sections[name] = Section(table[name], name, known)
-        elif name != "compute" or path is None:
+        elif name != "compute" or path is None and "imprint" not in parts:
             raise ProblemError(f"the table [{name}] is missing", "A problem needs [indenter], [medium] and [compute]", key=name)
-    if "compute" in sections or path is None:
+    if "compute" in sections:
         control = compute.read_control(sections["compute"])
+    elif path is None:
+        control = parts["imprint"].control()
     else:
         control = Control(path.name, path.values.max(keepdims=True))
     tip = indenter.read_indenter(sections["indenter"])
@@ -232,4 +239,5 @@ def _read(table: dict[str, Any], title: str, files: Files) -> Problem:
     if "conduction" in parts:
         for name in ("indenter", "medium"):
             conduction.check_kind(parts["conduction"].kind, table[name], name)
-    return Problem(str(whole.plain("title", title)), tip, body, control, **parts)
+    stresses = medium.read_yield_stresses(sections["medium"])
+    return Problem(str(whole.plain("title", title)), tip, body, control, **parts, yield_stresses=stresses)

@@ -116,9 +116,19 @@ _CONSTANTS = (
     Field("electrical_conductivity_along", "conductivity along the surface; default: isotropic", range=POSITIVE),
     Field("heat_capacity", "heat capacity per volume", range=NOT_NEGATIVE),
 )
+_YIELDING = ("elastic", "axis", "axis by engineering constants")
+"""Kinds of materials that may have a yield stress."""
+_YIELD = Field(
+    "yield_stress",
+    "yield stress, for imprints and fits of unloading; default: none, it does not yield",
+    MODULUS,
+    optional=True,
+    range=POSITIVE,
+    when={"": _YIELDING},
+)
 MATERIAL = Table(
     "constants of a material, or its name",
-    tuple(arguments({kind: call for kind, (_, call, _) in _KINDS.items()}, "", _MATERIAL_DIMENSIONS, _CONSTANTS)),
+    (*arguments({kind: call for kind, (_, call, _) in _KINDS.items()}, "", _MATERIAL_DIMENSIONS, _CONSTANTS), _YIELD),
     "docs/media.md",
     one_of=(("nu", "bulk_modulus"),),
     at_most_one_of=(("thermal_conductivity", "electrical_conductivity"),),
@@ -149,9 +159,17 @@ def read_material(section: Section) -> Any:
     if "material" in section:
         section.only(("material", *_ALONE), "a material with a name")
         return CRYSTALS[section.value("material")].material
-    what, call, own = next((one for one in _KINDS.values() if any(key in section for key in one[2])), _KINDS["elastic"])
+    kind = next((kind for kind, one in _KINDS.items() if any(key in section for key in one[2])), "elastic")
+    what, call, own = _KINDS[kind]
     keys = f", which has {', '.join(section.arguments(call))}" if own else ""
-    return section.make(call, what + keys, _ALONE)
+    return section.make(call, what + keys, (*_ALONE, *((_YIELD.name,) if kind in _YIELDING else ())))
+
+
+def read_indenter_material(section: Section) -> Any:
+    """Return the material of an indenter, which does not yield."""
+    if _YIELD.name in section:
+        raise section.error(_YIELD.name, "the indenter must not yield", "Leave it out")
+    return read_material(section)
 
 
 def _model(section: Section) -> tuple[str, dict[str, Any]]:
@@ -280,9 +298,11 @@ def read_medium(section: Section, indenter: Section) -> medium.Medium:
     if "material" in indenter and "body" in indenter:
         raise indenter.error("body", "material and body exclude each other", "Keep one", shows=False)
     if "material" in indenter:
-        upper = medium.Homogeneous(read_material(indenter.value("material")))
+        upper = medium.Homogeneous(read_indenter_material(indenter.value("material")))
     if "body" in indenter:
         upper = _read_body(indenter.value("body"))
+        if read_yield_stresses(indenter.value("body")):
+            raise indenter.error("body", "the indenter must not yield", "Leave its yield stresses out", shows=False)
     if upper is None:
         return body
     with indenter.words():
@@ -300,3 +320,17 @@ def _read_body(section: Section) -> medium.Medium:
     section.only(keys, f"a medium of type {kind!r}")
     with section.words():
         return _TYPES[kind](section)
+
+
+_STRATA = {"homogeneous": ("material",), "coated": ("coating", "substrate"), "layered": ("layer", "substrate")}
+"""By type of the medium: its tables of materials, top to bottom."""
+
+
+def read_yield_stresses(section: Section) -> tuple[float | None, ...]:
+    """Return the yield stress of each layer and the substrate, top to bottom, None for what does not yield; () without any."""
+    tables: list[Any] = []
+    for key in _STRATA.get(section.value("type"), ()):
+        found = section.value(key)
+        tables += found if isinstance(found, list) else [found]
+    stresses = tuple(one.value(_YIELD.name) if isinstance(one, Section) else None for one in tables)
+    return stresses if any(stress is not None for stress in stresses) else ()

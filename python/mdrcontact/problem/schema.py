@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from . import adhesion, compute, conduction, friction, history, indenter, medium, strength, structure, wear
+from . import adhesion, compute, conduction, friction, history, imprint, indenter, medium, strength, structure, wear
 from .field import Field, Range, Table
 
 __all__ = ["MAP", "PROBLEM", "TABLES", "Field", "Range", "Table", "tables_of"]
@@ -28,6 +28,7 @@ _TABLES: Mapping[str, Table] = {
     "friction": friction.KNOWN,
     "history": history.KNOWN,
     "wear": wear.KNOWN,
+    "imprint": imprint.KNOWN,
     "conduction": conduction.KNOWN,
 }
 PROBLEM = Table(
@@ -38,7 +39,7 @@ PROBLEM = Table(
     ),
     "docs/problem-files.md",
 )
-"""The whole file. [compute] may be absent if [history] or a path of [friction] is there."""
+"""The whole file. [compute] may be absent if [history], [imprint] or a path of [friction] is there."""
 
 
 def tables_of(table: Table, path: str = "") -> dict[str, Table]:

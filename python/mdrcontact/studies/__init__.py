@@ -14,6 +14,7 @@ from .curve import curve
 from .fit import fit
 from .friction import friction
 from .history import history
+from .imprint import imprint
 from .inspect import inspect
 from .law import law
 from .many import many
@@ -39,6 +40,7 @@ __all__ = [
     "fit",
     "friction",
     "history",
+    "imprint",
     "inspect",
     "law",
     "many",

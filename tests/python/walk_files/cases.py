@@ -47,6 +47,8 @@ AXIS = {"C11": "9.3 GPa", "C12": "3.1 GPa", "C13": "2.7 GPa", "C33": "6.2 GPa", 
 NAMED_AXIS = {"E_t": "9.3 GPa", "nu_t": 0.21, "E_z": "5.9 GPa", "nu_tz": 0.23, "G_z": "1.9 GPa"}
 SPRINGS = {"normal": "4.1 GPa/um", "tangential": "2.3 GPa/um"}
 SURFACE = {"surface_tension": "910 N/m", "surface_bending": "1.7e-9 N*m", "surface_stretching": "2.3e3 N/m"}
+YIELDING = {"yield_stress": "0.53 GPa"}
+IMPRINT = {"radius": "2.3 um", "force": "9.1 mN", "depth": "180 nm", "residual_depth": "61 nm"}
 ONE_STEP = {"depths": ["83 nm"]}
 SPHERE = {"title": "walk", "indenter": {"shape": "sphere", "radius": "51 um"}, "compute": {"depths": ["41 nm", "83 nm", "160 nm"]}}
 COATED = merged(SPHERE, {"medium": {"type": "coated", "coating": FILM, "substrate": BASE}})
@@ -356,6 +358,17 @@ CASES = [
             ("at radius", {"max_radius": "2.1 um", "points": 2}, {}),
         )
     ),
+    *(
+        Case(
+            f"imprint {name}",
+            merged(COATED, {"medium": {"coating": YIELDING, "substrate": {"yield_stress": "0.61 GPa"}}, **more}),
+            ("imprint",),
+        )
+        for name, more in (
+            ("measured", {"imprint": IMPRINT, "compute": {"forces": ["1.3 mN", "5.1 mN", "8.3 mN"], "depths": None}}),
+            ("by its pressure", {"imprint": {"radius": "2.3 um", "uniform": "0.31 GPa", "hertz": "0.43 GPa"}, "compute": None}),
+        )
+    ),
     Case("electric", merged(_film(CURRENT), {"medium": {"substrate": CURRENT_BASE}, "conduction": ELECTRIC}), ("conduction",)),
     Case(
         "thermal",
@@ -467,6 +480,7 @@ SAMPLES: dict[tuple[str, str], list[Any]] = {
     ("the file", "history"): [{"path": "step", "depth": "90 nm", "hold_time": "2.1 s", "points": 7}],
     ("the file", "wear"): [{"coefficient": "1e-6 mm^3/(N*m)", "sliding": ["1 m"]}],
     ("the file", "conduction"): [{"kind": "thermal"}],
+    ("the file", "imprint"): [IMPRINT],
     ("indenter", "exponent"): [2.3],
     ("indenter", "coefficient"): [1.2],
     ("indenter", "coefficients"): [[24.5, 110.0]],

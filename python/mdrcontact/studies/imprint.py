@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The study `imprint`: unloading and reloading of a plastic contact, which are those of an elastic one of another profile."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from .._units import ENERGY, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS
+from ..contact import Contact
+from ..panels import Figure, Label, Line, Panel, Rule, along
+from ..plastic import Imprint
+from ..problem import Problem, ProblemError
+from ..problem.compute import Control
+from ..problem.imprint import Imprinted
+from ..progress import Progress
+from .result import Array, Column, Number, Result, Table, column, study
+
+_POINTS = 200
+"""Points of pressure and shapes over the contact radius."""
+_MEANINGS = (
+    (1.7, "Unloading is elastic."),
+    (2.0, "Unloading is elastic to 0.1 % of the largest force."),
+    (2.5, "Unloading yields again, with an error of up to 0.5 % of the largest force."),
+    (3.0, "Unloading yields again, with an error of up to 2.5 % of the largest force."),
+)
+"""By largest R_Y: what finite elements show."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class ImprintResult(Result):
+    """Unloading of a plastic contact. Tables: "states", "shapes" and "pressure", and "reverse yield" with yield stresses."""
+
+    problem: Problem
+    imprint: Imprint
+    contact: Contact
+    """the elastic contact of the imprint, whose depths count from the residual depth"""
+
+    def figure(self) -> Figure:
+        """Return unloading, effective indenter, pressure at the largest load and recovery."""
+        panels = (*_unloading(self), *_shapes(self), *_pressure(self), *_recovery(self))
+        return Figure(self.title, panels)
+
+    def values(self, table: str) -> list[Array]:
+        """Return the numbers of a table, column by column."""
+        return [one.values for one in self.tables[table] if isinstance(one, Column)]
+
+
+def _unloading(found: ImprintResult) -> Iterator[Panel]:
+    d, _, f, *_ = found.values("states")
+    x, depth = along("indentation depth d", LENGTH, d, low=0.0)
+    y, force = along("force F", FORCE, f)
+    left, full, most = (found.numbers[name].value for name in ("residual depth", "largest depth", "largest force"))
+    start = Rule(float(depth.of(left)), vertical=True, name="residual depth")
+    end = Label(float(depth.of(full)), float(force.of(most)), "largest load", "black")
+    yield Panel(
+        x, y._replace(low=None if f.min() < 0.0 else 0.0), (Line(depth.of(d), force.of(f)), start, end), "unloading, reloading"
+    )
+
+
+def _shapes(found: ImprintResult) -> Iterator[Panel]:
+    r, effective, tip, left = found.values("shapes")
+    x, side = along("distance from the axis r", LENGTH, r, low=0.0)
+    y, deep = along("height z", LENGTH, np.concatenate([effective, tip]))
+    shapes = ((effective, "effective indenter", 0, 0), (tip, "indenter", "grey", 1), (left, "surface without load", 1, 0))
+    yield Panel(x, y, tuple(Line(side.of(r), deep.of(z), name, colour, dash) for z, name, colour, dash in shapes), "shapes")
+
+
+def _pressure(found: ImprintResult) -> Iterator[Panel]:
+    r, pressure = found.values("pressure")
+    x, side = along("distance from the axis r", LENGTH, r, low=0.0)
+    y, unit = along("contact pressure p", MODULUS, pressure)
+    yield Panel(x, y._replace(low=0.0), (Line(side.of(r), unit.of(pressure)),), "at the largest load")
+
+
+def _recovery(found: ImprintResult) -> Iterator[Panel]:
+    d, energy = found.values("states")[0], found.values("states")[4]
+    x, depth = along("indentation depth d", LENGTH, d, low=0.0)
+    y, unit = along("energy to be recovered", ENERGY, energy)
+    yield Panel(x, y, (Line(depth.of(d), unit.of(energy)),), "recovery")
+
+
+@study
+def imprint(problem: Problem, *, progress: Progress | None = None) -> ImprintResult:
+    """Unload a plastic contact from its largest load.
+
+    Parameters
+    ----------
+    problem : Problem
+        A problem with the table [imprint]. Its states are those of [compute]; without it the contact unloads to force 0.
+    progress : Progress, optional
+        Stops the work.
+
+    Returns
+    -------
+    ImprintResult
+        `imprint`, `contact`, tables "states", "shapes", "pressure"; numbers "residual depth", "recovered work" and others.
+
+    Raises
+    ------
+    ProblemError
+        The table [imprint] is missing, or the work of adhesion depends on speed or acts at a distance.
+    MDRError
+        The imprint has no elastic contact, or it yields again on unloading, R_Y > 3.
+
+    Examples
+    --------
+    >>> from mdrcontact import problem, studies
+    >>> ball = {"shape": "paraboloid", "radius": "10 um"}
+    >>> metal = {"type": "homogeneous", "material": {"E": "70 GPa", "nu": 0.33, "yield_stress": "0.35 GPa"}}
+    >>> largest = {"radius": "1 um", "force": "2.84 mN", "depth": "61.5 nm", "residual_depth": "38.8 nm"}
+    >>> found = studies.imprint(problem.read({"indenter": ball, "medium": metal, "imprint": largest}))
+    >>> print(found.numbers["recovered work"], found.notes["reverse yield"])
+    27.571 pJ R_Y of the half-space: 1.6399. Unloading is elastic.
+    """
+    given: Imprinted = problem.part("imprint")
+    problem.check_elastic()
+    (progress or Progress()).step(0, None, "imprint")
+    made = given.imprint(problem.medium)
+    contact = made.contact(_work_of_adhesion(problem))
+    stresses, words = _reverse_yield(made, problem.yield_stresses)
+    numbers = {
+        "largest force": Number(made.force, FORCE),
+        "largest depth": Number(made.depth, LENGTH),
+        "residual depth": Number(made.residual_depth, LENGTH),
+        "recovered work": Number(made.recovered_work, ENERGY),
+        **stresses,
+    }
+    recovered = f"Unloading recovers {numbers['recovered work']} and {Number(made.recovery, LENGTH)} of the depth."
+    tables: dict[str, Table] = {
+        "states": _states(made, contact, problem.control),
+        "shapes": _shape_table(problem, made),
+        "pressure": _pressure_table(made),
+    }
+    return ImprintResult(
+        title=problem.title,
+        numbers=numbers,
+        notes={"recovery": recovered, **({"reverse yield": words} if words else {})},
+        tables=tables,
+        problem=problem,
+        imprint=made,
+        contact=contact,
+    )
+
+
+def _work_of_adhesion(problem: Problem) -> float:
+    adhesion = problem.adhesion
+    if adhesion is None:
+        return 0.0
+    if adhesion.rate is not None or adhesion.cohesive_stress:
+        remedy = "Leave out speed, exponent, closing_... and cohesive_stress"
+        raise ProblemError("an imprint has adhesion in the JKR limit alone", remedy, table="adhesion")
+    return float(adhesion.work_of_adhesion)
+
+
+def _reverse_yield(made: Imprint, stresses: tuple[float | None, ...]) -> tuple[dict[str, Number], str]:
+    """Return R_Y of each layer that can yield, and what it means; an error above 3."""
+    if not stresses:
+        return {}, ""
+    limits = np.array([np.inf if stress is None else stress for stress in stresses])
+    most = made.reverse_yield(limits).ratio
+    found = {}
+    for i in np.flatnonzero(np.isfinite(limits)):
+        place = ("half-space" if i == 0 else "substrate") if i == len(limits) - 1 else f"layer {i + 1}"
+        alone = np.where(np.arange(len(limits)) == i, limits, np.inf)
+        found[f"R_Y of the {place}"] = Number(made.reverse_yield(alone).ratio, RATIO)
+    meaning = next(words for limit, words in _MEANINGS if most <= limit)
+    return found, f"{', '.join(f'{name}: {number}' for name, number in found.items())}. {meaning}"
+
+
+def _states(made: Imprint, contact: Contact, control: Control) -> Table:
+    """States on unloading; depths from initial contact."""
+    if control.name == "depth":
+        control = control._replace(values=control.values - made.residual_depth)
+    states = control.states(contact)
+    return [
+        column("depth", np.asarray(states.depth) + made.residual_depth, LENGTH),
+        column("radius", states.radius, LENGTH),
+        column("force", states.force, FORCE),
+        column("stiffness", states.stiffness, STIFFNESS),
+        column("energy", states.energy(), ENERGY),
+    ]
+
+
+def _shape_table(problem: Problem, made: Imprint) -> Table:
+    """Effective indenter, indenter, and what it leaves: the surface without load, which touches both on the axis."""
+    r = np.linspace(0.0, made.radius, _POINTS)
+    effective, tip = np.asarray(made.profile.height(r)), np.asarray(problem.indenter.height(r))
+    return [
+        column("r", r, LENGTH),
+        column("effective indenter", effective, LENGTH),
+        column("indenter", tip, LENGTH),
+        column("surface without load", tip - effective - made.residual_depth, LENGTH),
+    ]
+
+
+def _pressure_table(made: Imprint) -> Table:
+    # dense towards the edge, where pressures are steep, and a hair inside it
+    r = made.radius * (1.0 - 1e-9) * np.sin(np.linspace(0.0, 0.5 * np.pi, _POINTS))
+    return [column("r", r, LENGTH), column("pressure", made.contact().at_force(made.force).pressure(r), MODULUS)]

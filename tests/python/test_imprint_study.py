@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The table [imprint], the study and the command `imprint`: what unloads, how it is shown, and what is refused."""
+
+from __future__ import annotations
+
+import copy
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+import mdrcontact as mdr
+from mdrcontact import problem, studies
+from mdrcontact.cli import main
+from mdrcontact.problem import ProblemError
+
+METAL = {"E": "70 GPa", "nu": 0.33, "yield_stress": "0.35 GPa"}
+LARGEST = {"radius": "1 um", "force": "2.84 mN", "depth": "61.5 nm", "residual_depth": "38.8 nm"}
+TABLES = {
+    "indenter": {"shape": "paraboloid", "radius": "10 um"},
+    "medium": {"type": "homogeneous", "material": METAL},
+    "imprint": LARGEST,
+}
+MODULUS = 70e9 / (1.0 - 0.33**2)
+
+
+def changed(**tables):
+    found = copy.deepcopy(TABLES)
+    for name, keys in tables.items():
+        if keys is None:
+            found.pop(name)
+        else:
+            found[name] = {**found.get(name, {}), **keys}
+    return found
+
+
+def test_unloading_of_two_terms_in_closed_form():
+    """theory/plastic.md (2.1)-(2.6): force, depth and radius on a half-space, the work and the residual depth."""
+    found = studies.imprint(problem.read(TABLES))
+    a = 1e-6
+    q0 = MODULUS * (61.5e-9 - 38.8e-9)
+    two = (2.84e-3 / (2.0 * a) - 2.0 / 3.0 * q0) / (np.pi / 4.0 - 2.0 / 3.0)
+    one = q0 - two
+    depth, radius, force, stiffness, energy = found.values("states")
+    u = radius / a
+    s = np.sqrt(1.0 - u**2)
+    y = two * s + one * s**2
+    assert depth == pytest.approx(61.5e-9 - y / MODULUS, rel=1e-7)
+    assert force == pytest.approx(2.0 * a * (one * (u - u**3 / 3.0) + two * (u * s + np.arcsin(u)) / 2.0 - u * y), rel=1e-6)
+    assert stiffness == pytest.approx(2.0 * MODULUS * radius, rel=1e-7)
+    work = a / MODULUS * (8.0 / 15.0 * one**2 + 3.0 * np.pi / 8.0 * one * two + 2.0 / 3.0 * two**2)
+    assert found.numbers["recovered work"].value == pytest.approx(work, rel=1e-9) == energy[-1]
+    assert force == pytest.approx(np.linspace(0.01, 1.0, 100) * 2.84e-3, rel=1e-9)
+    assert found.numbers["residual depth"].value == pytest.approx(38.8e-9)
+
+
+def test_shapes_touch_at_full_load_and_the_surface_starts_at_the_residual_depth():
+    found = studies.imprint(problem.read(TABLES))
+    r, effective, tip, left = found.values("shapes")
+    assert tip == pytest.approx(r**2 / 20e-6) and left[0] == pytest.approx(-38.8e-9)
+    assert effective - tip + left == pytest.approx(np.full(len(r), -38.8e-9), abs=1e-16)
+    assert np.all(np.diff(effective) > 0.0)
+    r, pressure = found.values("pressure")
+    assert 2.0 * np.pi * np.trapezoid(pressure * r, r) == pytest.approx(2.84e-3, rel=2e-3)
+
+
+def test_compute_prescribes_the_states():
+    """Depths count from initial contact, forces and radii are those of the contact."""
+    by_force = studies.imprint(problem.read(changed(compute={"forces": ["0.5 mN", "1 mN", "2 mN"]})))
+    depth, radius, *_ = by_force.values("states")
+    for name, key, values in (("depths", 0, depth), ("radii", 1, radius)):
+        table = {name: [f"{1e9 * float(value)!r} nm" for value in values]}
+        again = studies.imprint(problem.read(changed(compute=table)))
+        assert again.values("states")[key] == pytest.approx(values, rel=1e-12)
+        assert again.values("states")[2] == pytest.approx([0.5e-3, 1e-3, 2e-3], rel=1e-6)
+
+
+def test_a_pressure_instead_of_a_record():
+    measured = studies.imprint(problem.read(TABLES)).imprint
+    pressure = {"radius": "1 um", "uniform": f"{measured.uniform!r} Pa", "hertz": f"{measured.hertz!r} Pa", "depth": "61.5 nm"}
+    tables = changed(imprint=None)
+    found = studies.imprint(problem.read({**tables, "imprint": pressure}))
+    assert found.numbers["residual depth"].value == pytest.approx(38.8e-9, rel=1e-9)
+    assert found.numbers["largest force"].value == pytest.approx(2.84e-3, rel=1e-9)
+    pressure.pop("depth")
+    found = studies.imprint(problem.read({**tables, "imprint": pressure}))
+    assert found.values("states")[0][-1] == pytest.approx(0.0, abs=1e-18), "depths count from the largest load"
+
+
+def test_adhesion_holds_the_edge():
+    dry, sticky = (studies.imprint(problem.read(changed(**more))) for more in ({}, {"adhesion": {"work_of_adhesion": "0.5 J/m^2"}}))
+    assert sticky.contact.pull_off().force < 0.0
+    assert sticky.values("states")[1][50] > dry.values("states")[1][50]
+
+
+def test_reverse_yield_by_layer():
+    """A soft film on a stiff body that may yield, too; the substrate's ratio is that of its own yield stress."""
+    coated = {
+        "type": "coated",
+        "coating": {**METAL, "thickness": "2 um"},
+        "substrate": {"E": "163 GPa", "nu": 0.22, "yield_stress": "7 GPa"},
+    }
+    tables = changed(medium=None, imprint={"depth": "57 nm", "residual_depth": "38.5 nm"})
+    found = studies.imprint(problem.read({**tables, "medium": coated}))
+    film, base = (found.numbers[f"R_Y of the {name}"].value for name in ("layer 1", "substrate"))
+    assert film == found.imprint.reverse_yield([0.35e9, np.inf]).ratio and base == found.imprint.reverse_yield([np.inf, 7e9]).ratio
+    assert 1.5 < film < 2.5 and 0.0 < base < 0.2
+    assert "R_Y of the layer 1" in found.notes["reverse yield"]
+    coated["substrate"].pop("yield_stress")
+    found = studies.imprint(problem.read({**tables, "medium": coated}))
+    assert "R_Y of the substrate" not in found.numbers
+    coated["coating"].pop("yield_stress")
+    assert "reverse yield" not in studies.imprint(problem.read({**tables, "medium": coated})).notes
+
+
+def test_more_than_three_is_refused_and_more_than_two_warned_of():
+    softer = changed(medium={"material": {**METAL, "yield_stress": "0.28 GPa"}})
+    with pytest.warns(mdr.errors.PlasticityWarning, match="unloading yields again"):
+        found = studies.imprint(problem.read(softer))
+    assert any("unloading yields again" in words for words in found.warnings) and "yields again" in found.notes["reverse yield"]
+    with pytest.raises(mdr.MDRError, match="R_Y"):
+        studies.imprint(problem.read(changed(medium={"material": {**METAL, "yield_stress": "0.1 GPa"}})))
+
+
+@pytest.mark.parametrize(
+    ("tables", "words"),
+    [
+        (changed(imprint={"force": "0 mN"}), "force = '0 mN': it must be greater than 0"),
+        (changed(imprint={"residual_depth": "62 nm"}), "residual_depth"),
+        (changed(imprint={"residual_depth": "-1 nm"}), "residual_depth = '-1 nm': it must be at least 0"),
+        (changed(imprint={"depth": "0 nm"}), "depth"),
+        (changed(imprint={"uniform": "1 GPa"}), "exactly one of force and uniform; it has force and uniform"),
+        (changed(imprint={"hertz": "1 GPa"}), "'hertz' does not belong to force"),
+        ({**TABLES, "imprint": {"radius": "1 um"}}, "exactly one of force and uniform; it has none"),
+        ({**TABLES, "imprint": {"radius": "1 um", "uniform": "1 GPa"}}, "the key 'hertz' is missing"),
+        ({**TABLES, "imprint": {"radius": "1 um", "uniform": "0 GPa", "hertz": "0 GPa"}}, "the force of both pressures is 0 N"),
+        (changed(imprint=None, compute={"max_force": "1 mN"}), "table \\[imprint\\] is missing"),
+        (changed(compute={"forces": ["3 mN"]}), "3"),
+        (changed(adhesion={"work_of_adhesion": "0.1 J/m^2", "cohesive_stress": "10 MPa"}), "Leave out speed"),
+        (changed(medium={"material": {**METAL, "yield_stress": "0 GPa"}}), "yield_stress = '0 GPa': it must be greater than 0"),
+        (changed(indenter={"material": METAL}), "the indenter must not yield"),
+        (changed(indenter={"body": {"type": "homogeneous", "material": METAL}}), "the indenter must not yield"),
+        (
+            changed(
+                medium={"material": {"shear_modulus": "1 MPa", "nu": 0.3, "diffusivity": "1e-9 m^2/s", "yield_stress": "1 MPa"}}
+            ),
+            "'yield_stress' does not belong to",
+        ),
+    ],
+)
+def test_refusals(tables, words):
+    with pytest.raises(mdr.MDRError, match=words):
+        studies.imprint(problem.read(tables))
+
+
+def test_the_command_and_its_picture(tmp_path, capsys):
+    file = str(ROOT / "examples" / "problems" / "aluminium_on_silicon.toml")
+    assert main(["imprint", file, "--csv", str(tmp_path / "a.csv"), "--plot", str(tmp_path / "a.png")]) == 0
+    printed = capsys.readouterr().out
+    assert "Unloading recovers" in printed and "R_Y of the layer 1" in printed
+    assert (tmp_path / "a.csv").read_text(encoding="utf-8").count("\n") == 101
+    found = studies.imprint(problem.load(file))
+    assert [panel.title for panel in found.figure().panels] == ["unloading, reloading", "shapes", "at the largest load", "recovery"]
+
+
+def test_other_commands_need_what_to_compute():
+    """Without [compute] a problem with [imprint] has the forces of unloading, which are those of no elastic loading."""
+    given = problem.read(TABLES)
+    assert given.control.name == "force" and given.control.values[-1] == 2.84e-3
+    with pytest.raises(ProblemError, match="compute"):
+        problem.read(changed(imprint=None))
