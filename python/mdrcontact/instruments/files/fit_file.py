@@ -318,6 +318,8 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
         if "joint_prior" in fit:
             options["known"] = [_read_joint_prior(section, names) for section in fit.value("joint_prior")]
         free = _read_free(fit, names)
+        if stresses := mediums.read_yield_stresses(Section(table["medium"], "medium", mediums.KNOWN)):
+            options["yield_stresses"] = stresses
     measured.check(data)
     if data.plain("kind") not in RECORDS:
         because = f"kind = {data.plain('kind')!r}, which has no deflection"
@@ -341,7 +343,7 @@ def _read_gel(fit: Section, instrument: Instrument) -> tuple[dict[str, Free], st
 
 def _read_instrument(section: Section) -> Instrument:
     given = section.given(dimensions(Instrument))
-    material = mediums.read_material(section.value("indenter")) if "indenter" in section else None
+    material = mediums.read_indenter_material(section.value("indenter")) if "indenter" in section else None
     return Instrument(indenter=material, **given)
 
 

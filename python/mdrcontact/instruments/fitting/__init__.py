@@ -21,6 +21,7 @@ from .result import FitResult
 from .solve import fit
 from .time_data import DepthTime, DynamicStiffness, ForceTime
 from .unloading import Unloading
+from .yielding import LayerYield
 
 __all__ = [
     "fit",
@@ -59,6 +60,7 @@ __all__ = [
     "HardnessForm",
     "Misfit",
     "Indent",
+    "LayerYield",
     "find_moves",
     "Move",
     "Moves",

@@ -17,6 +17,7 @@ from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
 from .indent import LOST
 from .misfit import SMALL, percent
 from .result import FitResult
+from .yielding import warning_of
 
 _LARGE_ERROR = 0.3
 _STRONG_CORRELATION = 0.98
@@ -47,6 +48,7 @@ def advice(result: FitResult) -> list[str]:
         *_tip(result, radius),
         *_pile_up(result),
         *_forced(result),
+        *_yields(result),
         *_branches(result, alone),
         *_softer_than_base(result),
     ]
@@ -324,3 +326,14 @@ def _forced(result: FitResult) -> list[str]:
     if not stays > LOST:
         return []
     return [f"elastic = true, but the contact is plastic: {words}. Contact depths are those of an elastic contact, and too small"]
+
+
+def _yields(result: FitResult) -> list[str]:
+    """What the yield stresses tell."""
+    if result.yield_ratio > 1.0:
+        return [
+            f"under the largest force the von Mises stress of the fitted elastic contact is {result.yield_ratio:.2g} times the "
+            "yield stress: the contact is plastic, and its modulus is too low. Fit the stiffness of an unloading curve, kind = "
+            '"unloading", or the shallow part'
+        ]
+    return warning_of(result.reverse_yield)

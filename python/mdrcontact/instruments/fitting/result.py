@@ -32,6 +32,7 @@ from .problem import Problem
 from .quantities import digits, dimension_of, measured, plain, probability, unit_of, words_of
 from .report import blocks_of, estimates_of, page
 from .scatter import compare_scatter
+from .yielding import LayerYield
 
 Array = NDArray[np.float64]
 
@@ -69,7 +70,9 @@ class FitResult:
     standard deviations of the data (1 if they are known), or their standard deviation if none is given; `chi_square`,
     `prior_chi_square`, `degrees_of_freedom`, `log_likelihood`; `pattern_probability`, that random residuals follow each other as
     smoothly (Durbin and Watson 1950; from 50 points on Bartels 1982); `lag_correlation` of neighbouring residuals, which covariance
-    and intervals include (Cheang and Reinsel 2000); `converged`, `iterations`, `evaluations`, `warnings`.
+    and intervals include (Cheang and Reinsel 2000); `converged`, `iterations`, `evaluations`, `warnings`. With yield stresses:
+    `yield_ratio`, largest von Mises stress of the elastic contact over the yield stress, of forces against depth; `reverse_yield`,
+    R_Y of each layer, of stiffnesses.
 
     Parameters
     ----------
@@ -137,6 +140,8 @@ class FitResult:
         self.weakest, self.lag_correlation = float(summary["weakest"]), float(summary["lag_correlation"])
         self.residuals: Array = np.asarray(residuals)
         self.warnings: list[str] = []
+        self.yield_ratio = 0.0
+        self.reverse_yield: tuple[LayerYield, ...] = ()
         self._values = np.asarray(values)
 
     @functools.cached_property
@@ -157,8 +162,8 @@ class FitResult:
 
     @property
     def is_plastic(self) -> bool:
-        """True if unloading shows that the fitted contact is not elastic."""
-        return self.indent is not None and self.indent.is_within
+        """True if unloading, or yield stresses, show that the contact is not elastic."""
+        return self.yield_ratio > 1.0 or (self.indent is not None and self.indent.is_within)
 
     @property
     def noise_is_known(self) -> bool:
@@ -349,6 +354,9 @@ class FitResult:
         elif not self.noise_is_known:
             lines.append(f"standard deviations of the data, estimated: {plain(self.noise)} times the given ones")
         lines += self.contact_depth_words()
+        if self.reverse_yield:
+            ratios = ", ".join(f"layer {one.layer} {one.ratio:.2f}" for one in self.reverse_yield)
+            lines.append(f"reverse yield ratio R_Y: {ratios}; unloading is elastic up to 2")
         if self.prior_chi_square > 0.0:
             lines.append(f"chi-square of the priors {plain(self.prior_chi_square)}")
         if len(self.data) > 2:
@@ -464,7 +472,7 @@ class FitResult:
         if 0.0 < self.hidden < math.inf:
             words.append(self.hidden_words())
         if self.is_plastic:
-            words.append("THE CONTACT IS PLASTIC OR VISCOUS, THE MODEL ELASTIC")
+            words.append("THE CONTACT IS PLASTIC" + ("" if self.yield_ratio > 1.0 else " OR VISCOUS") + ", THE MODEL ELASTIC")
         if self.departure > LARGE and not self.hidden:
             words.append(f"THE MODEL MISSES THE DATA BY {percent(self.departure)}")
         if self.scatter < 0:
@@ -548,6 +556,8 @@ class FitResult:
 
         It is "describes", "describes to 2 %", "misses by 12 %", "plastic or viscous, 57 % of the depth stays" or the like.
         """
+        if self.yield_ratio > 1.0:
+            return f"plastic, the stress is {self.yield_ratio:.2g} times the yield stress"
         if self.indent is not None and self.is_plastic:
             return f"plastic or viscous, {percent(self.indent.share)} of the depth stays"
         if self.is_random is None:
@@ -566,8 +576,13 @@ class FitResult:
         str
             One sentence.
         """
-        if self.indent is None or not self.is_plastic:
+        if not self.is_plastic:
             return self.misfit_of_readings()
+        if self.indent is None:
+            return (
+                f"is elastic but the contact is plastic: the von Mises stress would be {self.yield_ratio:.2g} times the yield "
+                f"stress; of the readings alone it {self.misfit_of_readings()}"
+            )
         back, stays = percent(self.indent.returned), percent(self.indent.share)
         return (
             f"is elastic but the contact is plastic or viscous: unloading gives back {back} of the work of loading, and {stays} of "
@@ -714,6 +729,8 @@ class FitResult:
             "verdict": self.verdict,
             "misfit": self.misfit._asdict(),
             "indent": self.indent._asdict() if self.indent else None,
+            "yield_ratio": self.yield_ratio,
+            "reverse_yield": [one._asdict() for one in self.reverse_yield],
             **{name: getattr(self, name) for name in _NUMBERS},
             "indenter": repr(self.indenter),
             "medium": repr(self.medium),

@@ -19,6 +19,7 @@ from .parameters import Free, Instrument, JointPrior
 from .problem import Problem, make_problem
 from .result import FitResult
 from .weighted import RULES, fit_weighted
+from .yielding import first_yield, read_yield_stresses, refuse, reverse_yield
 
 _OTHER_STRESSES = ((1.0 / 3.0, False), (3.0, False), (1.0 / 9.0, False), (9.0, False), (0.6, True), (0.25, True), (1.5, True))
 """Factors of the cohesive stress for further starts; True: of the best result, with its other parameters."""
@@ -40,6 +41,7 @@ def fit(
     known: Iterable[JointPrior] = (),
     contact_weight: float = 0.0,
     contact_weight_rule: str = "held",
+    yield_stresses: Iterable[float | None] = (),
 ) -> FitResult:
     """Fit parameters of indenter, medium and instrument to measured data.
 
@@ -81,6 +83,10 @@ def fit(
         "held": the weights belong to the contact point found and stay constant during the minimization. "moving": they follow the
         contact point during the search, which then moves to where it excludes large residuals. Other programs use that sum of
         squares; it differs by 0 to 60 % if other forces act at contact.
+    yield_stresses : iterable of float or None, optional
+        Yield stress of each layer from the surface down and of the body below, > 0; None for one that does not yield [modulus].
+        Unloading curves and stiffnesses are then checked for unloading that yields again, R_Y > 2; curves of force against depth,
+        for a contact that has yielded.
 
     Returns
     -------
@@ -94,6 +100,8 @@ def fit(
         A name is unknown, a number is outside its range, or the data do not determine anything.
     ArgumentTypeError
         An object is of another type.
+    DomainError
+        R_Y exceeds 3, and the contact area is not measured: `area_factor` has no prior.
 
     Examples
     --------
@@ -110,6 +118,7 @@ def fit(
     if not 0.0 <= distance < math.inf:
         raise InvalidArgumentError(f"contact_weight = {contact_weight!r}: it must be at least 0 and finite")
     moves = bool(code("contact_weight_rule", contact_weight_rule, RULES))
+    stresses = read_yield_stresses(yield_stresses, data, medium)
     if distance > 0.0:
         if not isinstance(data, ForceDepth):
             raise InvalidArgumentError("contact_weight: it belongs to forces against depth")
@@ -117,8 +126,20 @@ def fit(
         # if the standard deviations are unknown, weights are their ratios
         absolute = bool(sd_is_absolute) and data.sd is not None
         options = (*options[:4], absolute, *options[5:])
-        return fit_weighted(first, distance, moves, lambda part: make_problem(part, indenter, medium, free, *options), _fitted)
-    return _fitted(make_problem(data, indenter, medium, free, *options))
+        found = fit_weighted(first, distance, moves, lambda part: make_problem(part, indenter, medium, free, *options), _fitted)
+    else:
+        found = _fitted(make_problem(data, indenter, medium, free, *options))
+    return _checked(found, stresses) if stresses else found
+
+
+def _checked(result: FitResult, stresses: tuple[float, ...]) -> FitResult:
+    """A result with what the yield stresses tell about it."""
+    result.yield_ratio = first_yield(result, stresses)
+    result.reverse_yield = reverse_yield(result, stresses)
+    area = result.problem.free.get("area_factor")
+    refuse(result.reverse_yield, area is not None and area.prior is not None)
+    result.warnings = advice(result)
+    return result
 
 
 def _fitted(problem: Problem) -> FitResult:
