@@ -131,7 +131,7 @@ int mdrcontact_entry_conduction_joint_resistance(const mdr_conduction *p, double
 int mdr_conduction_joint_resistance(const mdr_conduction *p, double roughness, double slope, double hardness, double gas,
         double jump, int n, const double pressure[], double out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !pressure) return mdrcontact_refuse_null("pressure");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_conduction_joint_resistance(p, roughness, slope, hardness, gas, jump, n,

@@ -34,7 +34,7 @@ int mdrcontact_entry_imprint_from_pressure(const mdr_medium *medium, int n, cons
         mdr_imprint **out);
 int mdr_imprint_from_pressure(const mdr_medium *medium, int n, const double r[], const double p[], double depth, mdr_imprint **out)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !r) return mdrcontact_refuse_null("r");
     if (n > 0 && !p) return mdrcontact_refuse_null("p");
     if (!out) return mdrcontact_refuse_null("out");
@@ -72,7 +72,7 @@ int mdr_imprint_about(const mdr_imprint *i, mdr_imprint_facts *facts)
 int mdrcontact_entry_imprint_reverse_yield(const mdr_imprint *i, int n, const double yield_stress[], double *ratio, int *layer);
 int mdr_imprint_reverse_yield(const mdr_imprint *i, int n, const double yield_stress[], double *ratio, int *layer)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !yield_stress) return mdrcontact_refuse_null("yield_stress");
     if (!ratio) return mdrcontact_refuse_null("ratio");
     if (!layer) return mdrcontact_refuse_null("layer");
@@ -88,7 +88,7 @@ int mdrcontact_entry_yielding_new(double E, double nu, int n, const double strai
         mdr_yielding **out);
 int mdr_yielding_new(double E, double nu, int n, const double strain[], const double yield_stress[], mdr_yielding **out)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !strain) return mdrcontact_refuse_null("strain");
     if (!out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_yielding_new(E, nu, n, strain, yield_stress, out);
@@ -132,7 +132,7 @@ int mdrcontact_entry_plastic_law_from_points(int n, const double d[], const doub
 int mdr_plastic_law_from_points(int n, const double d[], const double F[], const double a[], const double recovery[],
         double modulus, const mdr_plastic_law_options *options, mdr_plastic_law **out)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !d) return mdrcontact_refuse_null("d");
     if (n > 0 && !F) return mdrcontact_refuse_null("F");
     if (n > 0 && !a) return mdrcontact_refuse_null("a");
@@ -174,7 +174,7 @@ int mdrcontact_entry_plastic_law_advance(const mdr_plastic_law *law, int n, cons
 int mdr_plastic_law_advance(const mdr_plastic_law *law, int n, const double d[], int is_trial, double memory[], double F[],
         double slope[], double a[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !d) return mdrcontact_refuse_null("d");
     if (n > 0 && !memory) return mdrcontact_refuse_null("memory");
     if (arithmetic_is_set()) return mdrcontact_entry_plastic_law_advance(law, n, d, is_trial, memory, F, slope, a);
@@ -190,7 +190,7 @@ int mdrcontact_entry_plastic_law_energies(const mdr_plastic_law *law, int n, con
 int mdr_plastic_law_energies(const mdr_plastic_law *law, int n, const double d[], const double memory[], double stored[],
         double dissipated[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !d) return mdrcontact_refuse_null("d");
     if (n > 0 && !memory) return mdrcontact_refuse_null("memory");
     if (n > 0 && !stored) return mdrcontact_refuse_null("stored");
@@ -208,7 +208,7 @@ int mdrcontact_entry_plastic_law_loading(const mdr_plastic_law *law, int n, cons
 int mdr_plastic_law_loading(const mdr_plastic_law *law, int n, const double d[], double F[], double a[], double residual[],
         double work[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !d) return mdrcontact_refuse_null("d");
     if (arithmetic_is_set()) return mdrcontact_entry_plastic_law_loading(law, n, d, F, a, residual, work);
     fenv_t callers;
@@ -221,7 +221,7 @@ int mdr_plastic_law_loading(const mdr_plastic_law *law, int n, const double d[],
 int mdrcontact_entry_plastic_law_restitution(const mdr_plastic_law *law, double mass, int n, const double speed[], double e[]);
 int mdr_plastic_law_restitution(const mdr_plastic_law *law, double mass, int n, const double speed[], double e[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !speed) return mdrcontact_refuse_null("speed");
     if (n > 0 && !e) return mdrcontact_refuse_null("e");
     if (arithmetic_is_set()) return mdrcontact_entry_plastic_law_restitution(law, mass, n, speed, e);
@@ -247,7 +247,7 @@ int mdr_plastic_law_buffer(const mdr_plastic_law *law, int size, double buffer[]
 int mdrcontact_entry_overload_new(const mdr_contact *c, int n, const double yield_stress[], mdr_overload **out);
 int mdr_overload_new(const mdr_contact *c, int n, const double yield_stress[], mdr_overload **out)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !yield_stress) return mdrcontact_refuse_null("yield_stress");
     if (!out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_overload_new(c, n, yield_stress, out);
@@ -261,7 +261,7 @@ int mdr_overload_new(const mdr_contact *c, int n, const double yield_stress[], m
 int mdrcontact_entry_overload_states(const mdr_overload *rule, int given, int n, const double value[], mdr_overload_state out[]);
 int mdr_overload_states(const mdr_overload *rule, int given, int n, const double value[], mdr_overload_state out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !value) return mdrcontact_refuse_null("value");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_overload_states(rule, given, n, value, out);
@@ -287,7 +287,7 @@ int mdr_cap_new(const mdr_contact *c, double hardness, mdr_cap **out)
 int mdrcontact_entry_cap_states(const mdr_cap *cap, int given, int n, const double value[], mdr_cap_state out[]);
 int mdr_cap_states(const mdr_cap *cap, int given, int n, const double value[], mdr_cap_state out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !value) return mdrcontact_refuse_null("value");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_cap_states(cap, given, n, value, out);
@@ -301,7 +301,7 @@ int mdr_cap_states(const mdr_cap *cap, int given, int n, const double value[], m
 int mdrcontact_entry_cap_pressure(const mdr_cap *cap, double radius, int n, const double r[], double pressure[], double residual[]);
 int mdr_cap_pressure(const mdr_cap *cap, double radius, int n, const double r[], double pressure[], double residual[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !r) return mdrcontact_refuse_null("r");
     if (arithmetic_is_set()) return mdrcontact_entry_cap_pressure(cap, radius, n, r, pressure, residual);
     fenv_t callers;
@@ -314,7 +314,7 @@ int mdr_cap_pressure(const mdr_cap *cap, double radius, int n, const double r[],
 int mdrcontact_entry_truncated_hertz(double a, double largest, double hardness, int n, const double x[], double out[]);
 int mdr_truncated_hertz(double a, double largest, double hardness, int n, const double x[], double out[])
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !x) return mdrcontact_refuse_null("x");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_truncated_hertz(a, largest, hardness, n, x, out);
