@@ -85,7 +85,7 @@ class Imprint(Value):
     `PlasticityWarning`.
 
     The error of the force on unloading, against finite elements, is 0.2 % to 1.3 % of the largest force for a paraboloid on
-    half-spaces, and up to 1.9 % on soft films (theory/plastic.md (2.4)).
+    half-spaces, up to 1.9 % on soft films, and 3.7 % where R_Y is 2.4 (theory/plastic.md (2.4)).
 
     References
     ----------
