@@ -35,7 +35,7 @@ typedef struct mdr_plastic_head {
     double bits;    /**< Leading bits of y that number a panel. */
     double panels;  /**< Number of panels. */
     double edges;   /**< Place of the ends of the panels, one more than panels; 0: the bits of y number them [length]. */
-    double rows;    /**< Place of the polynomials: for each panel and power F, a, the share of uniform pressure and 1/(E* a). */
+    double rows;    /**< Place of the polynomials: for each panel and power F, a, the share of uniform pressure, 0. */
     double energy;  /**< Place of the work int F dd in the middle of each panel. */
     double tension; /**< With adhesion, place of the polynomials of the work that it takes from the plastic loss; else 0. */
     double modulus; /**< E* [modulus]. */
@@ -144,15 +144,14 @@ MDR_INLINE mdr_plastic_imprint mdr_plastic_imprint_of(const mdr_plastic_view *vi
     mdr_plastic_imprint imprint;
     double t, rate, of[4];
     const double *const row = view->rows + 32 * mdr_plastic_panel(view, deepest, &t, &rate);
-    const double q = t * t;
-    for (int i = 0; i < 4; ++i) { /* F, A, alpha2 and 1/(E* A) together */
-        of[i] = (row[i] + q * (row[i + 8] + q * (row[i + 16] + q * row[i + 24])))
-                + t * (row[i + 4] + q * (row[i + 12] + q * (row[i + 20] + q * row[i + 28])));
+    const double q = t * t, q2 = q * q;
+    for (int i = 0; i < 4; ++i) { /* F, A and alpha2 together */
+        of[i] = ((row[i] + t * row[i + 4]) + q * (row[i + 8] + t * row[i + 12]))
+                + q2 * ((row[i + 16] + t * row[i + 20]) + q * (row[i + 24] + t * row[i + 28]));
     }
     imprint.radius = of[1];
     imprint.uniform = of[2] > 0.0 ? of[2] : 0.0;
-    /* a step of Newton's method makes it the inverse to rounding */
-    imprint.hertz = 0.75 * of[0] * (of[3] * (2.0 - view->modulus * of[1] * of[3])) - 1.1780972450961724 * imprint.uniform; /* 3 pi/8 */
+    imprint.hertz = 0.75 * of[0] / (view->modulus * of[1]) - 1.1780972450961724 * imprint.uniform; /* 3 pi/8 */
     return imprint;
 }
 

@@ -73,7 +73,7 @@ def function(law: PlasticLaw) -> Any:
             of_y = bits_of(y)
             t = y - number_of((of_y & ~(half + half - np.uint64(1))) | half)
             return int((of_y - BITS_OF_ONE) >> shift), t, scale
-        panel = min(max(np.searchsorted(edges, d) - 1, 0), len(edges) - 2)
+        panel = min(max(int(np.searchsorted(edges, d)) - 1, 0), len(edges) - 2)
         width = edges[panel + 1] - edges[panel]
         return panel, ((d - edges[panel]) + (d - edges[panel + 1])) / width, 2.0 / width
 

@@ -400,7 +400,22 @@ _except(
 _except(
     "the new radius stands in its place",
     "Paraboloid.radius",
-    "law_with_radius",
+    "law_with_radius plastic_with_radius",
+)
+_except(
+    "an accuracy",
+    "PlasticLaw.tolerance",
+    "plastic_steps plastic_loading plastic_with_radius",
+)
+_except(
+    "how far the law goes",
+    "PlasticLaw.largest_depth",
+    "plastic_steps plastic_loading plastic_with_radius",
+)
+_except(
+    "conducting has no part in mechanics",
+    "Elastic.conductor=present",
+    "plastic_steps plastic_loading plastic_facts plastic_with_radius",
 )
 
 _except(

@@ -27,8 +27,8 @@ module mdrcontact_plastic_law_compile
     !> First number of the buffer, and numbers of its head: struct mdr_plastic_head.
     real(wp), parameter :: format = 1296843601.0_wp
     integer, parameter :: head_size = 16
-    !> Columns of a panel: F, a, the share of uniform pressure and 1/(E* a).
-    integer, parameter :: columns = 4, row = coefficient_count
+    !> Columns of a panel, F, a and the share of uniform pressure; numbers for each power, the last of which is 0.
+    integer, parameter :: columns = 3, width = 4, row = coefficient_count
     !> Length of the first panel over the yield depth, and the most bits that number a panel.
     real(wp), parameter :: first_panel = 1.0e-4_wp
     integer, parameter :: fewest_bits = 2, most_bits = 7
@@ -224,7 +224,7 @@ contains
         type(loaded_t) :: state
 
         state = loading%at_depth(min(max(depth, loading%first), loading%last))
-        numbers = [state%force, state%radius, state%uniform, 1.0_wp/(loading%modulus*state%radius)]
+        numbers = [state%force, state%radius, state%uniform]
     end function numbers_at
 
     !> Writes the buffer.
@@ -241,7 +241,7 @@ contains
         elastic = head_size
         ends = next_row(elastic + packed_size(law%elastic))
         rows = next_row(ends + merge(0, n + 1, panels%by_bits))
-        energy = rows + columns*row*n
+        energy = rows + width*row*n
         tension = next_row(energy + n)
         count = tension + merge(row*n, 0, line > 0.0_wp)
         allocate (law%buffer(count), source=0.0_wp, stat=stat)
@@ -260,7 +260,7 @@ contains
             y = [-1.0_wp, 1.0_wp]
             if (panels%by_bits) y = panel_ends(panels%interval, i)
             unit = 0.5_wp*(y(2) - y(1))
-            call pack_panel(law%buffer, [rows + columns*row*(i - 1), energy + i, tension + row*(i - 1)], panels%c(:, :, i), &
+            call pack_panel(law%buffer, [rows + width*row*(i - 1), energy + i, tension + row*(i - 1)], panels%c(:, :, i), &
                             panels%ends(i:i + 1), unit, law%modulus, line, work, taken)
         end do
     end subroutine pack_law
@@ -300,7 +300,7 @@ contains
         half = 0.5_wp*(ends(2) - ends(1))
         ! the columns of a power lie together
         do j = 1, columns
-            buffer(places(1) + j:places(1) + j + columns*(row - 1):columns) = in_units_of(c(:, j), unit)
+            buffer(places(1) + j:places(1) + j + width*(row - 1):width) = in_units_of(c(:, j), unit)
         end do
         moments = polynomial_moments(c(:, 1), -1.0_wp)
         middle = work - half*moments(1)
@@ -387,11 +387,10 @@ contains
         call pack_table(law%elastic, law%buffer(first + 1:first + packed_size(law%elastic)))
         if (ends > 0) law%buffer(ends + 1:ends + n + 1) = factor*law%buffer(ends + 1:ends + n + 1)
         do i = 1, n
-            associate (panel => law%buffer(rows + columns*row*(i - 1) + 1:rows + columns*row*i))
-                panel(1::columns) = factor**2*panel(1::columns)
-                panel(2::columns) = factor*panel(2::columns)
-                panel(3::columns) = factor*panel(3::columns)
-                panel(4::columns) = panel(4::columns)/factor
+            associate (panel => law%buffer(rows + width*row*(i - 1) + 1:rows + width*row*i))
+                panel(1::width) = factor**2*panel(1::width)
+                panel(2::width) = factor*panel(2::width)
+                panel(3::width) = factor*panel(3::width)
             end associate
         end do
         law%buffer(energy + 1:energy + n) = factor**3*law%buffer(energy + 1:energy + n)
