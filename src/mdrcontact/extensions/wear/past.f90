@@ -20,6 +20,8 @@ module mdrcontact_wear_past
 
     !> Radii around the first one at which the heights of the indenter identify it.
     real(wp), parameter :: around(*) = [0.25_wp, 0.5_wp, 1.0_wp, 2.0_wp, 4.0_wp, 8.0_wp]
+    !> At a vertical wall the contact is identified at this depth over the radius.
+    real(wp), parameter :: at_wall = 1.0e-2_wp
     !> Numbers that identify a contact: the first state, the surface of the bodies, three for the wear of both sides, and heights.
     integer, parameter :: of_state = 4, of_wear = 7, marks = of_state + of_wear + size(around)
     !> Numbers of a saved past before those of the contact, and of each disc before its pressures.
@@ -73,7 +75,12 @@ contains
         integer :: i
 
         mark = 0.0_wp
-        call of%contact%at_radius(radius, state, error)
+        if (radius < of%contact%equilibrium%profile%largest_radius .or. .not. of%contact%equilibrium%profile%has_wall) then
+            call of%contact%at_radius(radius, state, error)
+        else
+            ! at a wall the radius does not determine the state
+            call of%contact%at_depth(at_wall*radius, state, error)
+        end if
         if (allocated(error)) return
         associate (profile => of%contact%equilibrium%profile, springs => of%contact%equilibrium%medium%springs, k => of%rate)
             mark(:of_state) = [radius, state%depth, state%force, state%stiffness]
