@@ -405,5 +405,16 @@ MUTATIONS = [
     ("contact/contact/branch.f90", "if (equilibrium%ends_sharply()) then", "if (.false.) then", "test_plastic.py"),
     ("contact/contact/coordinate.f90", "sin(min(exp(x)/self%sharp_radius, half_pi))", "min(exp(x)/self%sharp_radius, 1.0_wp)",
      "test_plastic.py|test_imprint"),
+    ("extensions/plastic/overload.f90", "0.5_wp*(1.0_wp + part - 2.0_wp*depth)", "0.5_wp*(1.0_wp + part - depth)",
+     "test_plastic_models.py"),
+    ("extensions/plastic/overload.f90", "value*state%force/elastic%force", "value", "test_plastic_models.py"),
+    ("extensions/plastic/overload.f90", "0.25_wp*pi*mean*deficit", "0.5_wp*pi*mean*deficit", "test_plastic_models.py"),
+    ("extensions/plastic/cap.f90", "self%hardness*(1.0_wp + rounding), capped)", "2.0_wp*self%hardness, capped)",
+     "test_plastic_models.py"),
+    ("extensions/plastic/cap.f90", "max(-gap/areas, 0.0_wp)", "max(-2.0_wp*gap/areas, 0.0_wp)", "test_plastic_models.py"),
+    ("extensions/plastic/cap.f90", "discs(1)%values)/3.0_wp", "discs(1)%values)/1.0_wp", "test_plastic_models.py"),
+    ("extensions/conduction/rough_law.f90", "exponent = 0.95_wp", "exponent = 1.0_wp", "test_conduction.py"),
+    ("extensions/conduction/rough_law.f90", "lambda = sqrt(2.0_wp)*z", "lambda = z", "test_conduction.py"),
+    ("extensions/wear/past.f90", "at_wall*radius", "0.0_wp*radius", "test_wear.py"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""
