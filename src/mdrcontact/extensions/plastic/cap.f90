@@ -9,8 +9,8 @@ module mdrcontact_plastic_cap
     use mdrcontact_codes, only: by_depth => depth, by_force => force, by_radius => radius
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_code, check_memory, check_not_negative, check_positive, check_within, error_domain, &
-                                error_invalid, error_no_convergence, error_t, raise, raise_at, to_text
+    use mdrcontact_error, only: check_code, check_made, check_memory, check_not_negative, check_positive, check_within, &
+                                error_domain, error_invalid, error_no_convergence, error_t, raise, raise_at, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_lapack, only: dgemv, dgesv
     use mdrcontact_medium_hats, only: find_heights, hats_t, line_compliance, new_hats
@@ -42,6 +42,7 @@ module mdrcontact_plastic_cap
         type(contact_t) :: contact
         !> H [modulus]
         real(wp) :: hardness = 0.0_wp
+        logical :: is_made = .false.
         type(hats_t), private :: hats(2)
     contains
         procedure :: at
@@ -92,6 +93,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         integer :: i, power
 
+        call check_made(error, "contact", contact%is_made)
         call check_positive(error, "hardness", hardness)
         if (.not. allocated(error) .and. contact%is_adhesive()) then
             call raise(error, error_invalid, "contact: a pressure cap has no adhesion. Omit it, and unload an imprint "// &
@@ -113,6 +115,7 @@ contains
             call new_hats(self%hats(i), intervals*i/2, power, merge(0, most_waves, contact%is_formula()), error)
             if (allocated(error)) return
         end do
+        self%is_made = .true.
     end subroutine new_cap
 
     !> Whether the slope does not vanish towards the axis.
@@ -141,6 +144,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: a
 
+        call check_made(error, "cap", self%is_made)
         call check_code(error, "given", given, [by_radius, by_depth, by_force])
         if (.not. allocated(error) .and. given == by_radius) call check_positive(error, "radius", value)
         if (.not. allocated(error) .and. given == by_depth) call check_positive(error, "depth", value)
@@ -189,6 +193,7 @@ contains
 
         pressure = 0.0_wp
         residual = 0.0_wp
+        call check_made(error, "cap", self%is_made)
         call check_positive(error, "radius", a)
         do i = 1, size(r)
             call check_not_negative(error, "r", r(i), i)

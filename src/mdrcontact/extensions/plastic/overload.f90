@@ -9,7 +9,7 @@ module mdrcontact_plastic_overload
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_code, check_positive, count_text, error_domain, error_invalid, error_t, raise, &
+    use mdrcontact_error, only: check_code, check_made, check_positive, count_text, error_domain, error_invalid, error_t, raise, &
                                 raise_at, to_text
     use mdrcontact_inside, only: layers_of
     use mdrcontact_inside_critical, only: largest_of, new_stressed
@@ -47,6 +47,7 @@ module mdrcontact_plastic_overload
         real(wp), allocatable :: yield_stress(:)
         !> thickness of the surface layer [length]; huge() without layers
         real(wp) :: thickness = huge(1.0_wp)
+        logical :: is_made = .false.
         type(virgin_t), private :: virgin
     contains
         procedure :: at
@@ -90,6 +91,8 @@ contains
         type(layers_t) :: layers
         integer :: i
 
+        call check_made(error, "contact", contact%is_made)
+        if (allocated(error)) return
         if (contact%is_adhesive()) call raise(error, error_invalid, "contact: no rule is known for adhesion during plastic "// &
                                               "loading. Omit the adhesion")
         if (.not. allocated(error) .and. contact%equilibrium%medium%is_pair) then
@@ -113,6 +116,7 @@ contains
         self%contact = contact
         self%yield_stress = yield_stress
         if (size(layers%thickness) > 0) self%thickness = layers%thickness(1)
+        self%is_made = .true.
     end subroutine new_overload
 
     !> The state at a given radius, depth or force.
@@ -127,6 +131,7 @@ contains
         type(contact_state_t) :: elastic
         real(wp) :: radius
 
+        call check_made(error, "rule", self%is_made)
         call check_code(error, "given", given, [by_radius, by_depth, by_force])
         if (.not. allocated(error) .and. given == by_radius) call check_positive(error, "radius", value)
         if (.not. allocated(error) .and. given == by_depth) call check_positive(error, "depth", value)
