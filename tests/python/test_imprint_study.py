@@ -134,7 +134,13 @@ def test_more_than_three_is_refused_and_more_than_two_warned_of():
         ({**TABLES, "imprint": {"radius": "1 um"}}, "exactly one of force and uniform; it has none"),
         ({**TABLES, "imprint": {"radius": "1 um", "uniform": "1 GPa"}}, "the key 'hertz' is missing"),
         ({**TABLES, "imprint": {"radius": "1 um", "uniform": "0 GPa", "hertz": "0 GPa"}}, "the force of both pressures is 0 N"),
-        (changed(imprint=None, compute={"max_force": "1 mN"}), "table \\[imprint\\] is missing"),
+        (
+            {
+                **changed(imprint=None, compute={"max_force": "1 mN"}),
+                "medium": {"type": "homogeneous", "material": {"E": "70 GPa", "nu": 0.33}},
+            },
+            "table \\[imprint\\] is missing",
+        ),
         (changed(compute={"forces": ["3 mN"]}), "3"),
         (changed(adhesion={"work_of_adhesion": "0.1 J/m^2", "cohesive_stress": "10 MPa"}), "Leave out speed"),
         (changed(medium={"material": {**METAL, "yield_stress": "0 GPa"}}), "yield_stress = '0 GPa': it must be greater than 0"),
@@ -169,3 +175,20 @@ def test_other_commands_need_what_to_compute():
     assert given.control.name == "force" and given.control.values[-1] == 2.84e-3
     with pytest.raises(ProblemError, match="compute"):
         problem.read(changed(imprint=None))
+
+
+def test_loading_by_the_yield_stress_leaves_an_imprint():
+    """Without [imprint]: the overload rule is the law of a paraboloid on a half-space."""
+    found = studies.imprint(problem.read(changed(imprint=None, compute={"max_force": "2.8 mN"})))
+    law = mdr.plastic.PlasticLaw(mdr.Paraboloid(10e-6), mdr.plastic.Yielding(mdr.Elastic(70e9, 0.33), 0.35e9), 70e-9)
+    state = law.loading(found.numbers["largest depth"].value)
+    assert found.numbers["largest force"].value == pytest.approx(2.8e-3) == state.force
+    assert found.numbers["residual depth"].value == pytest.approx(state.residual_depth, rel=0.01)
+    assert found.imprint.radius == pytest.approx(state.radius, rel=1e-3)
+    assert found.values("states")[2][-1] == pytest.approx(2.8e-3)
+    for table in ({"max_depth": "60 nm"}, {"radii": ["0.5 um", "1 um"]}):
+        key = "depth" if "max_depth" in table else "radius"
+        made = studies.imprint(problem.read(changed(imprint=None, compute=table))).imprint
+        assert getattr(made, key) == pytest.approx({"depth": 60e-9, "radius": 1e-6}[key], rel=1e-9)
+    with pytest.raises(mdr.MDRError, match="nothing has yielded"):
+        studies.imprint(problem.read(changed(imprint=None, compute={"max_depth": "0.1 nm"})))

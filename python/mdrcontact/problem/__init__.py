@@ -231,7 +231,7 @@ def _read(table: dict[str, Any], title: str, files: Files) -> Problem:
     if "compute" in sections:
         control = compute.read_control(sections["compute"])
     elif path is None:
-        control = parts["imprint"].control()
+        control = imprint.unloading(parts["imprint"].force)
     else:
         control = Control(path.name, path.values.max(keepdims=True))
     tip = indenter.read_indenter(sections["indenter"])

@@ -54,9 +54,10 @@ class Imprinted(NamedTuple):
             return Imprint.from_two_terms(body, self.radius, self.uniform, self.hertz, self.depth)
         return Imprint(body, radius=self.radius, force=self.force, residual_depth=self.residual_depth, depth=self.depth)
 
-    def control(self) -> Control:
-        """Return the forces of unloading if [compute] does not prescribe them."""
-        return Control("force", np.linspace(self.force / _POINTS, self.force, _POINTS))
+
+def unloading(force: float) -> Control:
+    """Return the forces of unloading from a largest force if [compute] does not prescribe them."""
+    return Control("force", np.linspace(force / _POINTS, force, _POINTS))
 
 
 def read_imprint(section: Section) -> Imprinted:

@@ -11,10 +11,10 @@ import numpy as np
 from .._units import ENERGY, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS
 from ..contact import Contact
 from ..panels import Figure, Label, Line, Panel, Rule, along
-from ..plastic import Imprint
+from ..plastic import Imprint, Overload
 from ..problem import Problem, ProblemError
 from ..problem.compute import Control
-from ..problem.imprint import Imprinted
+from ..problem.imprint import Imprinted, unloading
 from ..progress import Progress
 from .result import Array, Column, Number, Result, Table, column, study
 
@@ -89,7 +89,8 @@ def imprint(problem: Problem, *, progress: Progress | None = None) -> ImprintRes
     Parameters
     ----------
     problem : Problem
-        A problem with the table [imprint]. Its states are those of [compute]; without it the contact unloads to force 0.
+        A problem with the table [imprint], whose states are those of [compute]; without it the contact unloads to force 0. A
+        problem with yield stresses and without [imprint] is loaded to the largest value of [compute] by the overload rule.
     progress : Progress, optional
         Stops the work.
 
@@ -101,7 +102,7 @@ def imprint(problem: Problem, *, progress: Progress | None = None) -> ImprintRes
     Raises
     ------
     ProblemError
-        The table [imprint] is missing, or the work of adhesion depends on speed or acts at a distance.
+        [imprint] and yield stresses are missing, or the work of adhesion depends on speed or acts at a distance.
     MDRError
         The imprint has no elastic contact, or it yields again on unloading, R_Y > 3.
 
@@ -115,10 +116,9 @@ def imprint(problem: Problem, *, progress: Progress | None = None) -> ImprintRes
     >>> print(found.numbers["recovered work"], found.notes["reverse yield"])
     27.571 pJ R_Y of the half-space: 1.6399. Unloading is elastic.
     """
-    given: Imprinted = problem.part("imprint")
     problem.check_elastic()
     (progress or Progress()).step(0, None, "imprint")
-    made = given.imprint(problem.medium)
+    made, control = _imprint(problem)
     contact = made.contact(_work_of_adhesion(problem))
     stresses, words = _reverse_yield(made, problem.yield_stresses)
     numbers = {
@@ -130,7 +130,7 @@ def imprint(problem: Problem, *, progress: Progress | None = None) -> ImprintRes
     }
     recovered = f"Unloading recovers {numbers['recovered work']} and {Number(made.recovery, LENGTH)} of the depth."
     tables: dict[str, Table] = {
-        "states": _states(made, contact, problem.control),
+        "states": _states(made, contact, control),
         "shapes": _shape_table(problem, made),
         "pressure": _pressure_table(made),
     }
@@ -143,6 +143,20 @@ def imprint(problem: Problem, *, progress: Progress | None = None) -> ImprintRes
         imprint=made,
         contact=contact,
     )
+
+
+def _imprint(problem: Problem) -> tuple[Imprint, Control]:
+    """Return the imprint of [imprint], or that of loading by the overload rule, and the states on unloading."""
+    if problem.imprint is not None or not problem.yield_stresses:
+        given: Imprinted = problem.part("imprint")
+        return given.imprint(problem.medium), problem.control
+    rule = Overload(Contact(problem.indenter, problem.medium), _limits(problem.yield_stresses))
+    made = getattr(rule, f"at_{problem.control.name}")(float(problem.control.values[-1])).imprint()
+    return made, unloading(made.force)
+
+
+def _limits(stresses: tuple[float | None, ...]) -> list[float]:
+    return [np.inf if stress is None else stress for stress in stresses]
 
 
 def _work_of_adhesion(problem: Problem) -> float:
@@ -159,7 +173,7 @@ def _reverse_yield(made: Imprint, stresses: tuple[float | None, ...]) -> tuple[d
     """Return R_Y of each layer that can yield, and what it means; an error above 3."""
     if not stresses:
         return {}, ""
-    limits = np.array([np.inf if stress is None else stress for stress in stresses])
+    limits = np.array(_limits(stresses))
     most = made.reverse_yield(limits).ratio
     found = {}
     for i in np.flatnonzero(np.isfinite(limits)):

@@ -132,9 +132,16 @@ def _law(file: Path) -> Answer:
                        "friction": [law.sliders, law.coefficient]})  # fmt: skip
 
 
+def _imprint(file: Path) -> Answer:
+    """All tables and numbers: R_Y is printed alone, and the shape of the indenter shows in the surface that it leaves."""
+    found = studies.imprint(mdr.problem.load(file))
+    tables = {name: found.values(name) for name in ("states", "shapes", "pressure")}
+    return numbers_of({**tables, "numbers": {name: number.value for name, number in found.numbers.items()}})
+
+
 def answer(command: str, file: Path) -> Answer:
     """What a command says of a problem file."""
-    own: dict[str, Callable[[Path], Answer]] = {"adhesion": _adhesion, "stress": _stress, "law": _law}
+    own: dict[str, Callable[[Path], Answer]] = {"adhesion": _adhesion, "stress": _stress, "law": _law, "imprint": _imprint}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         return own[command](file) if command in own else _by_csv(command, file)
