@@ -39,7 +39,9 @@ def session():
 def page(session):
     """Requests of a browser that has opened the address."""
     client = make_app(session).server.test_client()
-    assert 'content="0;url=/"' in client.get(f"/{session.secret}", base_url=HERE).text
+    entrance = client.get(f"/{session.secret}", base_url=HERE).text
+    # it asks for nothing else
+    assert 'content="0;url=/"' in entrance and 'rel="icon" href="data:,"' in entrance
     return client
 
 
