@@ -59,6 +59,9 @@ def test_it_is_a_sequence(found):
     assert len(found) == 5 and isinstance(found[1], mdi.FailedFit) and found[-1] is found[4]
     assert isinstance(found[1:3], mdi.FitResults) and list(found[1:3]) == [found[1], found[2]]
     assert [one.position for one in found.failed] == [1] and len(found.fitted) == 4 and found.names == ("E",)
+    assert list(mdi.FitResults([found[0], found[1]])) == [found[0], found[1]]
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="not float"):
+        mdi.FitResults([70e9])
     assert repr(found) == "<FitResults: 5 curves, 4 fitted, 3 sound>"
     for same in (pickle.loads(pickle.dumps(found)), copy.deepcopy(found)):
         assert same.table()["E"] == pytest.approx(found.table()["E"], nan_ok=True)

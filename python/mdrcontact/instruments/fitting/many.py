@@ -15,7 +15,7 @@ from ..._boundary import thread_count
 from ..._files import replace
 from ..._interrupt import workers
 from ..._text import html_table
-from ...errors import InvalidArgumentError, MDRError
+from ...errors import ArgumentTypeError, InvalidArgumentError, MDRError
 from ...panels import Axis, Bars, Figure, Line, Panel, along
 from . import report
 from .between import MeanOfTests, mean_of_tests
@@ -58,9 +58,19 @@ class FailedFit(NamedTuple):
 
 
 class FitResults(Sequence["FitResult | FailedFit"]):
-    """Fits of many curves, from `fit_many`: a sequence of `FitResult` and `FailedFit`, in the order of the curves.
+    """Sequence of the fits of many curves, from `fit_many`.
 
     A fit counts in means and histograms if `rate` considers it sound.
+
+    Parameters
+    ----------
+    results : iterable of FitResult or FailedFit
+        One result for each curve, in their order.
+
+    Raises
+    ------
+    ArgumentTypeError
+        A result is of another type.
 
     Examples
     --------
@@ -76,6 +86,9 @@ class FitResults(Sequence["FitResult | FailedFit"]):
 
     def __init__(self, results: Iterable[FitResult | FailedFit]) -> None:
         self._results = tuple(results)
+        for one in self._results:
+            if not isinstance(one, FitResult | FailedFit):
+                raise ArgumentTypeError(f"results: they must be FitResult or FailedFit, not {type(one).__name__}. Use fit_many.")
 
     @overload
     def __getitem__(self, index: int) -> FitResult | FailedFit: ...
