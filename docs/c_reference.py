@@ -17,7 +17,8 @@ from pathlib import Path
 INCLUDE = Path(__file__).resolve().parents[1] / "include"
 HEADERS = ("mdrcontact.h", *(f"mdrcontact/{name}.h" for name in (
     "base", "profile", "material", "body", "medium", "weights", "contact", "friction", "law", "closed_forms",
-    "time", "adhesion", "wear", "conduction", "poroelastic", "plastic", "lateral", "fit")), "mdrcontact_law.h", "mdrcontact_plastic_law.h")  # fmt: skip
+    "time", "adhesion", "wear", "conduction", "poroelastic", "plastic", "lateral", "fit")),
+    "mdrcontact_law.h", "mdrcontact_plastic_law.h")  # fmt: skip
 """The headers in the order of the site: the core, the extensions, the inline functions."""
 
 _COMMENT = re.compile(r"/\*\*(?!<)(.*?)\*/\s*(.*?)(?=/\*\*(?!<)|/\* |\Z)", re.DOTALL)

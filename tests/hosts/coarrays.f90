@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A host compiled with -fcoarray=single, under which types are larger than in the library: the first call tells so. Compiled without,
-!> they are the same.
+!> A host compiled with -fcoarray=single, under which types are larger than in the library: the first call tells so. Compiled
+!> without, they are the same.
 program coarrays
     use mdrcontact, only: error_t, same_layout
     implicit none (type, external)

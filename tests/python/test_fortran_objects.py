@@ -84,7 +84,8 @@ def modules() -> dict[str, tuple[str, str]]:
 
 @cache
 def procedures() -> dict[tuple[str, str], Procedure]:
-    pattern = r"^    (?:(?:pure|impure|elemental|recursive) )*(subroutine|function) (\w+)\(([^)]*)\)(.*?)^    end (?:subroutine|function) \2\b"
+    kinds = r"(?:(?:pure|impure|elemental|recursive) )*(subroutine|function)"
+    pattern = rf"^    {kinds} (\w+)\(([^)]*)\)(.*?)^    end (?:subroutine|function) \2\b"
     found = {}
     for module, (file, text) in modules().items():
         for _, name, arguments, body in re.findall(pattern, text, re.M | re.S):

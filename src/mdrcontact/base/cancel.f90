@@ -95,8 +95,8 @@ contains
         status = mdr_set_progress(place)
     end subroutine set_progress
 
-    !> A team begins to work for the calling thread, the only one whose cancel function is called: what its threads give to help_team
-    !> and stop_team.
+    !> A team begins to work for the calling thread, the only one whose cancel function is called: what its threads give to
+    !> help_team and stop_team.
     function lead_team() result(team)
         type(c_ptr) :: team
 

@@ -28,8 +28,8 @@ module mdrcontact_profile
         real(wp) :: end_radius = 0.0_wp
         !> whether the profile rises vertically at largest_radius, so that the contact radius stays there (flat punch)
         logical :: has_wall = .false.
-        !> radius at which it ends as an imprint does [length], 0 if it does not: g' may be infinite there, no contact is larger, and
-        !> an adhesive edge rests there until the springs are drawn
+        !> radius at which it ends as an imprint does [length], 0 if it does not: g' may be infinite there, no contact is larger,
+        !> and an adhesive edge rests there until the springs are drawn
         real(wp) :: sharp_radius = 0.0_wp
         !> R of a paraboloid f(r) = r^2/(2R) [length]; 0 for any other shape
         real(wp) :: paraboloid_radius = 0.0_wp

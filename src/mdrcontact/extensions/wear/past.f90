@@ -2,9 +2,9 @@
 !> The past of a worn contact as numbers, and whether numbers are a past: of this contact, and one that wear leaves.
 !>
 !> Numbers of another contact are found by what the first state under load was there: radius, depth, force and stiffness, heights of
-!> the indenter around it, wear coefficients. Altered numbers are found by what holds in each state (theory/wear.md (5.2)): the force
-!> is the integral of the pressure, and S p + f + W is the depth at each hat in contact, int p ds over the disc the work of the
-!> force.
+!> the indenter around it, wear coefficients. Altered numbers are found by what holds in each state (theory/wear.md (5.2)): the
+!> force is the integral of the pressure, and S p + f + W is the depth at each hat in contact, int p ds over the disc the work of
+!> the force.
 module mdrcontact_wear_past
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
@@ -282,7 +282,7 @@ contains
         total = sum(hats%weights*load)*disc%extent**2
         where (disc%pressure > 0.0_wp .or. .not. of%has_rings)
             depths = depths - areas*disc%depth
-        elsewhere
+        else where
             depths = 0.0_wp
         end where
         valid = all(abs(depths) <= of_scheme*areas*disc%depth) .and. abs(total - work) <= of_scheme*max(work, total)
