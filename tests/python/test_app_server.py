@@ -20,7 +20,7 @@ from mdrcontact import cli
 from mdrcontact.errors import CancelledError
 
 pytest.importorskip("dash", reason="the extra app is not installed")
-from mdrcontact.app import Session, make_app, server  # noqa: E402
+from mdrcontact.app import Session, design, make_app, server  # noqa: E402
 from mdrcontact.app.jobs import KEPT, BusyError, Jobs  # noqa: E402
 from mdrcontact.app.session import cleaned  # noqa: E402
 
@@ -403,6 +403,39 @@ def test_a_design_through_the_callbacks_is_that_of_the_command(page, tmp_path):
     words = "[indenter]: radius = '-10 um': it must be greater than 0 and finite."
     at_field = ["indenter/radius", "It must be greater than 0 and finite."]
     assert found["design-alert"]["children"] == words and found["design-where"]["data"] == at_field
+
+
+def test_a_tick_after_a_cancel_begins_nothing(session, page, monkeypatch):
+    """It may have left the browser before the cancel, and come after it."""
+    begun = []
+
+    def study(problem, progress):
+        begun.append(problem)
+        while True:
+            progress.step(len(begun), 3, "states")
+            time.sleep(0.001)
+
+    monkeypatch.setitem(design.STUDIES, "Stress", design.Shown(study))
+    known = page.get("/_dash-dependencies", base_url=HERE).json
+    one = next(one for one in known if one["output"].startswith("..design-results."))
+    values = {"design.data": {"text": cli.example.examples()["sio2_on_si"]}, "design-tab.value": "Stress"}
+
+    def ask(changed):
+        outputs = [
+            dict(zip(("id", "property"), each.rsplit(".", 1), strict=True)) for each in one["output"].strip(".").split("...")
+        ]
+        inputs = [{**each, "value": values.get(f"{each['id']}.{each['property']}")} for each in one["inputs"]]
+        body = {"output": one["output"], "outputs": outputs, "inputs": inputs, "state": [], "changedPropIds": [changed]}
+        return page.post("/_dash-update-component", base_url=HERE, json=body).json["response"]
+
+    assert not ask("design-tab.value")["design-busy"]["hidden"]
+    for changed in ("design-cancel.n_clicks", "design-again.n_intervals"):
+        assert ask(changed)["design-alert"]["children"] == "The work was cancelled."
+    assert len(begun) == 1
+    # the tab computes again
+    assert not ask("design-tab.value")["design-busy"]["hidden"] and len(begun) == 2
+    session.jobs.cancel()
+    ended(session.jobs.latest)
 
 
 def test_a_fit_through_the_callbacks_is_that_of_the_command(session, page):

@@ -41,6 +41,8 @@ def answer(session: Session, key: Hashable, what: str, work: Callable[[Progress]
     if found is not None:
         return Answer(found)
     job = jobs.latest
+    if job is not None and job.key == key and not job.is_running and str(ctx.triggered_id).endswith(("-again", "-cancel")):
+        return Answer(job.result, job.problem)  # a tick that left before a cancel begins nothing
     if job is None or job.key != key or not job.is_running:
         if job is not None and job.is_running:
             job.cancel()
