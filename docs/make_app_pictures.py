@@ -33,7 +33,7 @@ def main(folder: Path) -> None:
             picture = Image.open(Path(made) / f"{name}.png").convert("RGB")
             picture.thumbnail((WIDTH, WIDTH), Image.Resampling.LANCZOS)
             file = folder / f"{name}.png"
-            picture.quantize(48, dither=Image.Dither.NONE).save(file, optimize=True)
+            picture.quantize(128, method=Image.Quantize.MAXCOVERAGE, kmeans=1, dither=Image.Dither.NONE).save(file, optimize=True)
             print(f"written: {file.name}, {file.stat().st_size / 1000:.0f} kB")
 
 
