@@ -213,25 +213,25 @@ int mdr_plastic_law_new(const mdr_profile *profile, const mdr_yielding *metal, d
                         const mdr_plastic_law_options *options, mdr_plastic_law **out);
 
 /** Create the law of a measured or computed curve of first loading. Between the points cubics rise.
- *  @param n         number of points, at least 3
- *  @param d         [n] depths > 0, rising; up to the first one the contact is elastic [length]
- *  @param F         [n] forces > 0, rising [modulus length^2]
- *  @param a         [n] contact radii > 0, rising [length]
- *  @param recovery  [n] depths that an elastic unloading from each point gives back, at most d [length]
- *  @param modulus   E* > 0, with which the contact unloads as a homogeneous half-space [modulus]
- *  @param options   NULL: default options; options.other must be NULL
- *  @param out       receives the handle
- *  @return also MDR_EDOMAIN for a recovery that no imprint of two terms with this force and radius has
+ *  @param n               number of points, at least 3
+ *  @param d               [n] depths > 0, rising; up to the first one the contact is elastic [length]
+ *  @param F               [n] forces > 0, rising [modulus length^2]
+ *  @param a               [n] contact radii > 0, rising [length]
+ *  @param residual_depth  [n] depths that remain after an elastic unloading from each point, 0 up to yield [length]
+ *  @param modulus         E* > 0, with which the contact unloads as a homogeneous half-space [modulus]
+ *  @param options         NULL: default options; options.other must be NULL
+ *  @param out             receives the handle
+ *  @return also MDR_EDOMAIN for a residual depth that no imprint of two terms with this force and radius has
  *  @code
  *  const double d[3] = {1e-9, 4e-9, 9e-9}, F[3] = {1e-6, 6e-6, 15e-6}, a[3] = {3e-8, 7e-8, 11e-8};
- *  const double w[3] = {1e-9, 2.7e-9, 4.5e-9};
+ *  const double left[3] = {0.0, 1.3e-9, 4.5e-9};
  *  mdr_plastic_law *measured = NULL;
- *  status = mdr_plastic_law_from_points(3, d, F, a, w, 20e9, NULL, &measured);
+ *  status = mdr_plastic_law_from_points(3, d, F, a, left, 20e9, NULL, &measured);
  *  MDR_FREE(measured);
  *  @endcode
  */
-int mdr_plastic_law_from_points(int n, const double d[], const double F[], const double a[], const double recovery[], double modulus,
-                                const mdr_plastic_law_options *options, mdr_plastic_law **out);
+int mdr_plastic_law_from_points(int n, const double d[], const double F[], const double a[], const double residual_depth[],
+                                double modulus, const mdr_plastic_law_options *options, mdr_plastic_law **out);
 
 /** Create the law of the same bodies under a paraboloid of another radius: d and a are proportional to R, F to R^2.
  *  @param law     law of a paraboloid without adhesion

@@ -221,7 +221,7 @@ class PlasticLaw:
         law = cls.__new__(cls)
         options = _options(work_of_adhesion, tolerance, None)
         d, F, a, left = columns
-        law._own(native.plastic_law_from_points(d, F, a, d - left, number("modulus", modulus), options))
+        law._own(native.plastic_law_from_points(d, F, a, left, number("modulus", modulus), options))
         given = {"work_of_adhesion": law.work_of_adhesion, "tolerance": law.tolerance}
         law._source = ("table", *(tuple(column.tolist()) for column in columns), law.modulus, given)
         law.warnings = ()

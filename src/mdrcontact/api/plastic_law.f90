@@ -86,10 +86,10 @@ contains
         status = return_object(object, out, error)
     end function mdr_plastic_law_new
 
-    function mdr_plastic_law_from_points(n, d, force, a, recovery, modulus, options, out) result(status) &
+    function mdr_plastic_law_from_points(n, d, force, a, residual, modulus, options, out) result(status) &
         bind(C, name="mdrcontact_entry_plastic_law_from_points")
         integer(c_int), value :: n
-        real(c_double), intent(in), optional :: d(n), force(n), a(n), recovery(n)
+        real(c_double), intent(in), optional :: d(n), force(n), a(n), residual(n)
         real(c_double), value :: modulus
         type(c_ptr), value :: options
         type(c_ptr), intent(inout), optional :: out
@@ -102,7 +102,7 @@ contains
         allocate (law)
         call read_law_options(options, chosen, error)
         if (n == 0) call raise(error, error_invalid, "d: the array is empty. Give at least 3 points")
-        if (.not. allocated(error)) call new_plastic_law_from_points(law, d, force, a, recovery, modulus, error, chosen)
+        if (.not. allocated(error)) call new_plastic_law_from_points(law, d, force, a, residual, modulus, error, chosen)
         call move_alloc(law, object)
         status = return_object(object, out, error)
     end function mdr_plastic_law_from_points

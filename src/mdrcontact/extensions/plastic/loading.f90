@@ -1,7 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> First loading of a contact beyond yield: force, contact radius and imprint over the depth.
 module mdrcontact_plastic_loading
-    use mdrcontact_error, only: check_positive, check_same_size, error_domain, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_not_negative, check_positive, check_same_size, error_domain, error_invalid, error_t, raise, &
+                                to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_numerics_monotone_table, only: monotone_table_t, new_monotone_table
     use mdrcontact_plastic_virgin, only: largest_load, virgin_t
@@ -184,10 +185,10 @@ contains
     end function paraboloid_at_depth
 
     !> A curve through points, the first of which is the end of elastic loading.
-    subroutine new_table_loading(self, depth, force, radius, recovery, modulus, error)
+    subroutine new_table_loading(self, depth, force, radius, residual, modulus, error)
         type(table_loading_t), intent(out) :: self
-        !> d, F and a of at least 3 points, each > 0 and rising; the depth that an elastic unloading from each gives back, at most d
-        real(wp), intent(in) :: depth(:), force(:), radius(:), recovery(:)
+        !> d, F and a of at least 3 points, each > 0 and rising; the depth that remains after an elastic unloading from each
+        real(wp), intent(in) :: depth(:), force(:), radius(:), residual(:)
         !> E* > 0, with which the contact unloads [modulus]
         real(wp), intent(in) :: modulus
         type(error_t), allocatable, intent(out) :: error
@@ -196,17 +197,17 @@ contains
         n = size(depth)
         call check_same_size(error, n, size(force))
         call check_same_size(error, n, size(radius))
-        call check_same_size(error, n, size(recovery))
+        call check_same_size(error, n, size(residual))
         call check_positive(error, "modulus", modulus)
         if (n < 3) call raise(error, error_invalid, "depth: the curve needs at least 3 points")
         call check_rising("depth", depth, error)
         call check_rising("force", force, error)
         call check_rising("radius", radius, error)
         if (allocated(error)) return
-        call check_recovery(depth, force, radius, recovery, modulus, error)
+        call check_residual(depth, force, radius, residual, modulus, error)
         if (.not. allocated(error)) call new_monotone_table(self%force, depth, force, error)
         if (.not. allocated(error)) call new_monotone_table(self%radius, depth, radius, error)
-        if (.not. allocated(error)) call new_monotone_table(self%recovery, depth, recovery, error)
+        if (.not. allocated(error)) call new_monotone_table(self%recovery, depth, depth - residual, error)
         if (allocated(error)) return
         self%modulus = modulus
         self%first = depth(1)
@@ -231,31 +232,28 @@ contains
         end do
     end subroutine check_rising
 
-    !> Raises unless imprints of two terms have these recoveries: A2 >= 0 and A2 + 2 A1 > 0.
-    pure subroutine check_recovery(depth, force, radius, recovery, modulus, error)
-        real(wp), intent(in) :: depth(:), force(:), radius(:), recovery(:), modulus
+    !> Raises unless imprints of two terms leave these depths: A2 >= 0 and A2 + 2 A1 > 0.
+    pure subroutine check_residual(depth, force, radius, residual, modulus, error)
+        real(wp), intent(in) :: depth(:), force(:), radius(:), residual(:), modulus
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: mean
         integer :: i
 
         do i = 1, size(depth)
-            call check_positive(error, "recovery", recovery(i), i)
+            call check_not_negative(error, "residual_depth", residual(i), i)
             if (allocated(error)) return
-            ! A1 and A2 over E*
+            ! of A1 and A2 over E*
             mean = 0.5_wp*force(i)/(radius(i)*modulus)
-            associate (least => mean/(pi/4.0_wp + pi/4.0_wp - 2.0_wp/3.0_wp), most => 1.5_wp*mean)
-                if (recovery(i) > most*(1.0_wp + nothing) .or. .not. recovery(i) > least) then
-                    call raise(error, error_domain, " = "//to_text(recovery(i))//": an imprint of this force and radius "// &
-                               "recovers between "//to_text(least)//" and "//to_text(most)//". Check depth, force, radius "// &
-                               "and modulus", "recovery", i)
-                else if (recovery(i) > depth(i)*(1.0_wp + nothing)) then
-                    call raise(error, error_invalid, " = "//to_text(recovery(i))//": it must be at most the depth, "// &
-                               to_text(depth(i)), "recovery", i)
+            associate (recovery => depth(i) - residual(i), least => mean/(pi/2.0_wp - 2.0_wp/3.0_wp), most => 1.5_wp*mean)
+                if (recovery > most*(1.0_wp + nothing) .or. .not. recovery > least) then
+                    call raise(error, error_domain, " = "//to_text(residual(i))//": an imprint of this force and radius leaves "// &
+                               "between "//to_text(max(depth(i) - most, 0.0_wp))//" and "//to_text(depth(i) - least)// &
+                               ". Check depth, force, radius and modulus", "residual_depth", i)
+                    return
                 end if
             end associate
-            if (allocated(error)) return
         end do
-    end subroutine check_recovery
+    end subroutine check_residual
 
     pure function table_at_depth(self, depth) result(state)
         class(table_loading_t), intent(in) :: self

@@ -275,10 +275,10 @@ contains
     end subroutine check_slope
 
     !> The law of a measured or computed curve of first loading, whose first point is the end of elastic loading.
-    subroutine new_plastic_law_from_points(self, depth, force, radius, recovery, modulus, error, options)
+    subroutine new_plastic_law_from_points(self, depth, force, radius, residual, modulus, error, options)
         type(plastic_law_t), intent(out) :: self
-        !> d, F and a, each > 0 and rising; the depth that an unloading from each gives back [length]; as of new_table_loading
-        real(wp), intent(in) :: depth(:), force(:), radius(:), recovery(:)
+        !> d, F and a, each > 0 and rising; the depth that remains after an unloading from each, as of new_table_loading [length]
+        real(wp), intent(in) :: depth(:), force(:), radius(:), residual(:)
         !> E* > 0, with which the contact unloads [modulus]
         real(wp), intent(in) :: modulus
         type(error_t), allocatable, intent(out) :: error
@@ -292,7 +292,7 @@ contains
             call raise(error, error_invalid, "other: the curve is that of both bodies. Omit it")
             return
         end if
-        call new_table_loading(loading, depth, force, radius, recovery, modulus, error)
+        call new_table_loading(loading, depth, force, radius, residual, modulus, error)
         if (allocated(error)) return
         call check_not_negative(error, "work_of_adhesion", chosen%work_of_adhesion)
         if (allocated(error)) return
