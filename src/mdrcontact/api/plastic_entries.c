@@ -127,21 +127,21 @@ int mdr_plastic_law_new(const mdr_profile *profile, const mdr_yielding *metal, d
     return status;
 }
 
-int mdrcontact_entry_plastic_law_from_points(int n, const double d[], const double F[], const double a[], const double recovery[],
-        double modulus, const mdr_plastic_law_options *options, mdr_plastic_law **out);
-int mdr_plastic_law_from_points(int n, const double d[], const double F[], const double a[], const double recovery[],
+int mdrcontact_entry_plastic_law_from_points(int n, const double d[], const double F[], const double a[],
+        const double residual_depth[], double modulus, const mdr_plastic_law_options *options, mdr_plastic_law **out);
+int mdr_plastic_law_from_points(int n, const double d[], const double F[], const double a[], const double residual_depth[],
         double modulus, const mdr_plastic_law_options *options, mdr_plastic_law **out)
 {
     if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !d) return mdrcontact_refuse_null("d");
     if (n > 0 && !F) return mdrcontact_refuse_null("F");
     if (n > 0 && !a) return mdrcontact_refuse_null("a");
-    if (n > 0 && !recovery) return mdrcontact_refuse_null("recovery");
+    if (n > 0 && !residual_depth) return mdrcontact_refuse_null("residual_depth");
     if (!out) return mdrcontact_refuse_null("out");
-    if (arithmetic_is_set()) return mdrcontact_entry_plastic_law_from_points(n, d, F, a, recovery, modulus, options, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_plastic_law_from_points(n, d, F, a, residual_depth, modulus, options, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_plastic_law_from_points(n, d, F, a, recovery, modulus, options, out);
+    const int status = mdrcontact_entry_plastic_law_from_points(n, d, F, a, residual_depth, modulus, options, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
