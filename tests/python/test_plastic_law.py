@@ -538,7 +538,7 @@ def test_law_of_a_table():
             PlasticLaw.from_table(*bad, modulus=20e9)
     bad = copy.deepcopy(good)
     bad[3][2] = 7e-9
-    with pytest.raises(mdr.errors.DomainError, match="entry 3 of residual_depth = 7e-09: an imprint of this force and radius leaves between"):
+    with pytest.raises(mdr.errors.DomainError, match="entry 3 of residual_depth = 7e-09: an imprint"):
         PlasticLaw.from_table(*bad, modulus=20e9)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="modulus"):
         PlasticLaw.from_table(*good, modulus=0.0)
