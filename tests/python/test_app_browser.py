@@ -371,15 +371,33 @@ def test_everyone_can_use_it(open_page, driver, name):
 
 
 def test_long_work_is_cancelled(open_page):
-    fine = text_of("tin_on_steel").replace('type = "coated"', 'type = "coated"', 1)
-    page = open_page(fine)
+    page = open_page(text_of("tin_on_steel"))
     page.idle()
-    label = page.driver.find_element(By.XPATH, "//label[text()='Stress']")
-    label.click()
+    page.driver.find_element(By.XPATH, "//label[text()='Stress']").click()
     page.wait(lambda: page.one("busy").is_displayed() and page.one("progress").text)
     page.one("cancel").click()
     page.wait(lambda: page.alert == "The work was cancelled.")
-    assert not page.session.jobs.latest.is_running and not page.one("busy").is_displayed()
+    page.idle()
+    assert page.alert and not page.session.jobs.latest.is_running and not page.one("busy").is_displayed()
+    page.tab("Curves")
+    page.tab("Stress")
+    assert page.said == "Stress computed" and not page.alert
+
+
+def test_work_of_the_other_tab_ends_the_work_before(open_page):
+    page = open_page(text_of("tin_on_steel"))
+    page.tab("Measure")
+    page.drop(FITS / "sphere_on_oxide.csv", FITS / "sphere_on_oxide.toml")
+    page.tab("Design")
+    page.driver.find_element(By.XPATH, "//label[text()='Stress']").click()
+    page.wait(lambda: page.one("busy").is_displayed())
+    page.driver.find_element(By.XPATH, "//label[text()='Measure']").click()
+    page.page = "measure"
+    page.fit()
+    assert not page.alert and page.rows()
+    page.page = "design"
+    page.wait(lambda: not page.one("busy").is_displayed())
+    assert page.one("alert").get_attribute("textContent") in ("The work was cancelled.", "")
 
 
 TABS = {"compare": "Models", "curve": "Curves", "stress": "Stress", "adhesion": "Adhesion", "friction": "Friction", "wear": "Wear"}

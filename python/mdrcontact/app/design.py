@@ -45,14 +45,14 @@ STUDIES = {
 }
 
 
-def computed(session: Session, text: str, tab: str) -> Answer:
-    """Return what the study of a tab computes of a text, as its command does."""
+def computed(session: Session, text: str, tab: str, start: bool = True) -> Answer:
+    """Return what the study of a tab computes of a text, as its command does. start : as in `answer`"""
     study, options, _ = STUDIES[tab]
 
     def work(progress: Progress) -> Any:
         return study(session.problem(text), **options, progress=progress)
 
-    return answer(session, _key(text, tab), tab, work)
+    return answer(session, _key(text, tab), tab, work, start)
 
 
 def _command(tab: str) -> str:
@@ -106,7 +106,7 @@ def register(dash: Dash, session: Session) -> None:
         def report(found: Any) -> list[Any]:
             return [*results.report(found, found.figure()), command]
 
-        return results.show_answer(NAME, computed(session, text, tab), report, f"{tab} computed")
+        return results.show_answer(NAME, computed(session, text, tab, results.begins(NAME)), report, f"{tab} computed")
 
     @dash.callback(
         Output(f"{NAME}-file", "data", allow_duplicate=True),

@@ -310,7 +310,8 @@ def register(dash: Dash, session: Session) -> None:
             return results.show_answer(NAME, results.Answer(refusal=refusal), list, "")
         if not run:
             return results.show([html.P("Press Fit to find the ticked numbers.", className="note")])
-        found = results.answer(session, editor.key_of(NAME, run), "fit", lambda progress: fitted(session, run, progress))
+        start = results.begins(NAME)
+        found = results.answer(session, editor.key_of(NAME, run), "fit", lambda progress: fitted(session, run, progress), start)
         made = results.show_answer(NAME, found, lambda one: report(run, one), "fit computed")
         is_old = found.result is not None and (run["text"], run["names"], run["out"]) != (text, files["names"], files["out"])
         return [made[0], "dimmed" if is_old else made[1], *made[2:]]

@@ -35,15 +35,19 @@ class Answer(NamedTuple):
     progress: tuple[float, float | None, str] | None = None
 
 
-def answer(session: Session, key: Hashable, what: str, work: Callable[[Progress], Any]) -> Answer:
-    """Return the result of a study; if it takes longer than a moment, its progress. Other work is cancelled."""
+def answer(session: Session, key: Hashable, what: str, work: Callable[[Progress], Any], start: bool = True) -> Answer:
+    """Return the result of a study; if it takes longer than a moment, its progress. Other work is cancelled.
+
+    start : False to ask for work that was begun before, which other work may have cancelled
+    """
     found, jobs = session.jobs.find(key), session.jobs
     if found is not None:
         return Answer(found)
     job = jobs.latest
-    if job is not None and job.key == key and not job.is_running and str(ctx.triggered_id).endswith(("-again", "-cancel")):
-        return Answer(job.result, job.problem)  # a tick that left before a cancel begins nothing
-    if job is None or job.key != key or not job.is_running:
+    is_own = job is not None and job.key == key
+    if not start and not is_own:
+        return Answer(refusal=CancelledError(""))
+    if start and not (is_own and job is not None and job.is_running):
         if job is not None and job.is_running:
             job.cancel()
             job.wait()
@@ -51,10 +55,14 @@ def answer(session: Session, key: Hashable, what: str, work: Callable[[Progress]
             job = jobs.start(key, what, work)
         except BusyError as refusal:  # a second page was faster
             return Answer(refusal=refusal)
+    assert job is not None
     job.wait(_SOON)
-    if job.is_running:
-        return Answer(progress=job.done)
-    return Answer(job.result, job.problem)
+    return Answer(progress=job.done) if job.is_running else Answer(job.result, job.problem)
+
+
+def begins(name: str) -> bool:
+    """Return whether a callback begins work: not when time has passed or the work is cancelled."""
+    return ctx.triggered_id not in (f"{name}-again", f"{name}-cancel")
 
 
 def frame(name: str, tabs: Any) -> Any:
