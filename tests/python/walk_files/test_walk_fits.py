@@ -89,15 +89,20 @@ OF_OSCILLATION = mdi.Instrument(frame_compliance=2e-6, stiffness_factor=1.03, ar
 PRIOR = mdi.JointPrior(("coating.E", "substrate.E"), (8.7e9, 3.3e9), ((9e16, 1.1e16), (1.1e16, 4e16)))
 FIT = {"indenter": TIP, "medium": BODY, "free": FREE, "instrument": INSTRUMENT, "loss": "huber", "loss_scale": 0.7,
        "adhesion_rule": "automatic", "sd_is_absolute": False, "max_iterations": 100, "check_units": True, "known": (PRIOR,),
-       "contact_weight": 0.0, "contact_weight_rule": "held"}  # fmt: skip
+       "contact_weight": 0.0, "contact_weight_rule": "held", "yield_stresses": ()}  # fmt: skip
 OF_TIME = {**FIT, "medium": mdr.Homogeneous(SOFT), "free": ["relaxed_shear_modulus"], "instrument": OF_PATH, "known": (),
            "loss": "cauchy"}  # fmt: skip
 WEIGHED = {**FIT, "instrument": STICKY, "loss": "linear", "contact_weight": 3.1e-8, "contact_weight_rule": "moving",
            "free": {**FREE, "depth_offset": mdi.Free(1e-9)}, "known": ()}  # fmt: skip
 CASES = [
-    Case("force-depth", mdi.ForceDepth, _force_depth(), {**FIT, "instrument": STICKY, "adhesion_rule": "energy"}),
+    Case(
+        "force-depth",
+        mdi.ForceDepth,
+        _force_depth(),
+        {**FIT, "instrument": STICKY, "adhesion_rule": "energy", "yield_stresses": (0.13e9, 0.15e9)},
+    ),
     Case("weighed", mdi.ForceDepth, _force_depth(), WEIGHED),
-    Case("stiffness-depth", mdi.StiffnessDepth, _stiffness_depth(), FIT),
+    Case("stiffness-depth", mdi.StiffnessDepth, _stiffness_depth(), {**FIT, "yield_stresses": (0.53e9, 0.61e9)}),
     Case("modulus-radius", mdi.ModulusRadius, _in_radius("modulus"), {**FIT, "instrument": mdi.Instrument(area_factor=0.97)}),
     Case("stiffness-radius", mdi.StiffnessRadius, _in_radius("stiffness"), {**FIT, "instrument": OF_RADIUS}),
     Case("force-time", mdi.ForceTime, _in_time("force"), OF_TIME),
@@ -141,7 +146,8 @@ EXCEPTIONS = {
 def _answer(case: Case) -> dict[str, Any]:
     found = mdi.fit(case.make(**case.data), **case.fit)
     return numbers_of({"estimates": found.estimates, "covariance": found.covariance, "chi": found.chi_square, "noise": found.noise,
-                       "likelihood": found.log_likelihood, "prior": found.prior_chi_square})  # fmt: skip
+                       "likelihood": found.log_likelihood, "prior": found.prior_chi_square, "yield": found.yield_ratio,
+                       "R_Y": [one.ratio for one in found.reverse_yield]})  # fmt: skip
 
 
 def _others(name: str, value: Any) -> Iterator[tuple[str, Any]]:

@@ -80,10 +80,9 @@ def read_yield_stresses(given: Iterable[float | None], data: Any, medium: Any) -
 
 
 def first_yield(result: Any, stresses: tuple[float, ...]) -> float:
-    """Return the largest von Mises stress of the fitted elastic contact over the yield stress, of all layers."""
+    """Return the largest von Mises stress of the fitted elastic contact, without adhesion, over the yield stress, of all layers."""
     data = result.data
-    is_elastic = isinstance(data, ForceDepth) and not result.values["work_of_adhesion"] > 0.0
-    if not is_elastic:
+    if not isinstance(data, ForceDepth):
         return 0.0
     with silence():
         try:
