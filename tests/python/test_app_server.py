@@ -339,7 +339,7 @@ def test_a_taken_port_and_a_missing_file_are_errors(capsys):
 def test_without_a_browser_the_address_is_to_be_opened(monkeypatch, capsys):
     given = []
     monkeypatch.setattr("webbrowser.open", given.append)
-    monkeypatch.setattr("threading.Thread.join", lambda self: (_ for _ in ()).throw(KeyboardInterrupt))
+    monkeypatch.setattr("threading.Thread.join", lambda self, timeout=None: (_ for _ in ()).throw(KeyboardInterrupt))
     before = {one: signal.getsignal(one) for one in (signal.SIGTERM, signal.SIGHUP)}
     try:
         assert cli.main(["app"]) == 0

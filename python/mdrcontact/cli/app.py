@@ -43,7 +43,8 @@ def run(arguments: argparse.Namespace) -> None:
         for name in {"SIGTERM", "SIGHUP"} & {*dir(signal)}:
             signal.signal(getattr(signal, name), signal.default_int_handler)
         with suppress(KeyboardInterrupt):
-            thread.join()
+            while thread.is_alive():  # a signal right before an endless wait would not end it
+                thread.join(0.5)
     finally:
         session.close()
 
