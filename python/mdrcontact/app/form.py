@@ -137,13 +137,19 @@ def typed(one: Field, text: str) -> Any:
     return text
 
 
+def _table_in(text: str, place: Path) -> dict[str, Any]:
+    """Return the table at a path, empty where the text has another value."""
+    found = edit.value(text, place, {})
+    return found if isinstance(found, dict) else {}
+
+
 def edited(root: Table, text: str, path: Path, value: str) -> str:
     """Return the text after a change of an input of the form."""
     *inside, last = path
     place, key = tuple(inside), str(last)
     if key.startswith("#"):
         return _chosen(root, text, place, key, value)
-    table, values = table_at(root, place), edit.value(text, place, {})
+    table, values = table_at(root, place), _table_in(text, place)
     one = next(one for one in fields_of(table, values) if one.name == key)
     name, old = spelled(one, table, values)
     if not value.strip():
@@ -164,7 +170,7 @@ def _chosen(root: Table, text: str, place: Path, key: str, value: str) -> str:
     """Return the text after a choice that is no key."""
     if key == _OR:
         return edit.changed(text, place, start(table_at(root, place)) if value == _CONSTANTS else value)
-    table, values = table_at(root, place), edit.value(text, place, {})
+    table, values = table_at(root, place), _table_in(text, place)
     if key == _ONE:
         rest = {name: old for name, old in values.items() if name not in next(group for group in table.one_of if value in group)}
         return _differing(text, place, values, start(table, {**rest, value: example(table.field(value))}))
@@ -195,7 +201,7 @@ def acted(root: Table, text: str, path: Path) -> str:
 def _restacked(root: Table, text: str, place: Path, what: str) -> str:
     """Return the text with another layer on top, or without one."""
     body = place[: place.index("layer")]
-    table, values = table_at(root, body), edit.value(text, body, {})
+    table, values = table_at(root, body), _table_in(text, body)
     layers, base = stack_of(values)
     if what == "add" and values.get("type") == "layered":
         return edit.inserted(text, place, 0, example(table.field("coating")))
@@ -334,7 +340,8 @@ class _Form(NamedTuple):
             return
         for i, each in enumerate(value if one.many and isinstance(value, list) else [value]):
             place = (*path, i) if one.many else path
-            rows = self.inside(table, place, each or {}) if not isinstance(each, str) else []
+            is_word = isinstance(each, str) and bool(one.choices)
+            rows = [] if is_word else self.inside(table, place, each if isinstance(each, dict) else {})
             if one.choices:
                 words, given = (*one.choices, _CONSTANTS), each if isinstance(each, str) else _CONSTANTS
                 rows = [self.row((*place, _OR), title, self.select((*place, _OR), words, given)), *rows]
