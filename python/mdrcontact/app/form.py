@@ -150,7 +150,9 @@ def edited(root: Table, text: str, path: Path, value: str) -> str:
     if key.startswith("#"):
         return _chosen(root, text, place, key, value)
     table, values = table_at(root, place), _table_in(text, place)
-    one = next(one for one in fields_of(table, values) if one.name == key)
+    one = next((one for one in fields_of(table, values) if one.name == key), None)
+    if one is None:  # the form was drawn for another text
+        return text
     name, old = spelled(one, table, values)
     if not value.strip():
         return text if old is None else edit.without(text, (*place, name))
