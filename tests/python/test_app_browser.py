@@ -172,7 +172,7 @@ def test_a_design_by_the_keyboard_alone(open_page):
     assert page.said == "Models computed" and page.numbers()["spread"]
 
 
-def test_a_dropped_table_to_a_modulus_within_its_interval(open_page):
+def test_a_dropped_table_to_a_modulus_within_its_interval(open_page, tmp_path):
     page = open_page()
     page.tab("Measure")
     page.drop(FITS / "sphere_on_oxide.csv")
@@ -207,14 +207,9 @@ def test_a_dropped_table_to_a_modulus_within_its_interval(open_page):
     assert rows["film thickness h"][1].endswith("nm") and "describes the data" in page.all(".verdict")[0].text
     picture(page, "fit")
     # the same file by the command
-    assert f"{rows['film modulus E'][1]}" in fit_by_command(page.text, FITS / "sphere_on_oxide.csv")
-
-
-def fit_by_command(text, data, tmp=None):
-    folder = Path(os.environ.get("TMPDIR", "/tmp"))
-    path = folder / "mdrcontact-browser-problem.toml"
-    path.write_text(text, encoding="utf-8")
-    return command_line("fit", data, "--problem", path)
+    path = tmp_path / "problem.toml"
+    path.write_text(page.text, encoding="utf-8")
+    assert rows["film modulus E"][1] in command_line("fit", FITS / "sphere_on_oxide.csv", "--problem", path)
 
 
 def made_curves(folder):
@@ -410,12 +405,6 @@ MEASURED = sorted({row["problem"] for row in PINNED} - {*DESIGNS})
 
 def numbers_pinned(name, command):
     return {row["name"]: float(row["value"]) for row in PINNED if (row["problem"], row["command"]) == (name, command)}
-
-
-def si(words):
-    """The value of a number with its unit, in SI units."""
-    number, _, unit = words.partition(" ")
-    return float(number) if not unit else float(number) * mdr._units._UNITS(unit)
 
 
 @pytest.mark.parametrize("name", DESIGNS)
