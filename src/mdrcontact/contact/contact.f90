@@ -198,7 +198,7 @@ contains
         type(contact_load_t), intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
 
-        call check_made(error, "contact", self%is_made)
+        if (.not. self%is_made) call check_made(error, "contact", self%is_made)
         if (allocated(error)) return
         call new_contact_load(found, self%equilibrium, state, error)
     end subroutine load
@@ -215,7 +215,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         found = 0.0_wp
-        call check_made(error, "contact", self%is_made)
+        if (.not. self%is_made) call check_made(error, "contact", self%is_made)
         if (allocated(error)) return
         if (max(state%radius, state%zone_radius) <= 0.0_wp) return
         call check_state(self%equilibrium, state, error)
@@ -259,7 +259,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: all_breaks(:)
 
-        call check_made(error, "contact", self%is_made)
+        if (.not. self%is_made) call check_made(error, "contact", self%is_made)
         if (allocated(error)) return
         end_radius = self%equilibrium%profile%end_radius
         smallest = max(end_radius, self%equilibrium%medium%smallest_radius)
@@ -277,7 +277,7 @@ contains
         type(contact_warning_t), allocatable, intent(out) :: found(:)
         type(error_t), allocatable, intent(out) :: error
 
-        call check_made(error, "contact", self%is_made)
+        if (.not. self%is_made) call check_made(error, "contact", self%is_made)
         if (allocated(error)) return
         if (state%radius /= 0.0_wp) call check_state(self%equilibrium, state, error)
         if (allocated(error)) return
@@ -295,7 +295,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: end_radius, wall_radius, smallest
 
-        call check_made(error, "contact", self%is_made)
+        if (.not. self%is_made) call check_made(error, "contact", self%is_made)
         if (allocated(error)) return
         call check_not_negative(error, "radius", radius)
         if (allocated(error)) return
@@ -338,7 +338,7 @@ contains
         !> states found last, which may save most of the work without adhesion
         type(neighbours_t), intent(inout), optional :: neighbours
 
-        call check_made(error, "contact", self%is_made)
+        if (.not. self%is_made) call check_made(error, "contact", self%is_made)
         if (allocated(error)) return
         call self%at_control(depth_control, "depth", depth, state, error, branch, neighbours)
         if (.not. allocated(error)) state%depth = depth
@@ -356,7 +356,7 @@ contains
         !> states found last, which may save most of the work without adhesion
         type(neighbours_t), intent(inout), optional :: neighbours
 
-        call check_made(error, "contact", self%is_made)
+        if (.not. self%is_made) call check_made(error, "contact", self%is_made)
         if (allocated(error)) return
         call self%at_control(force_control, "force", force, state, error, branch, neighbours)
         if (.not. allocated(error)) state%force = force
@@ -386,7 +386,7 @@ contains
         type(neighbours_t), intent(inout), optional :: neighbours
         integer :: way
 
-        call check_made(error, "contact", self%is_made)
+        if (.not. self%is_made) call check_made(error, "contact", self%is_made)
         if (allocated(error)) return
         way = on_unloading
         if (present(branch)) way = branch
@@ -418,7 +418,7 @@ contains
         real(wp) :: smallest
         integer :: i, global
 
-        call check_made(error, "contact", self%is_made)
+        if (.not. self%is_made) call check_made(error, "contact", self%is_made)
         if (allocated(error)) return
         if (present(others)) allocate (others(0))
         if (.not. self%is_adhesive()) return
@@ -455,7 +455,7 @@ contains
         type(stable_segment_t), allocatable, intent(out) :: list(:)
         type(error_t), allocatable, intent(out) :: error
 
-        call check_made(error, "contact", self%is_made)
+        if (.not. self%is_made) call check_made(error, "contact", self%is_made)
         if (allocated(error)) return
         if (allocated(self%branch)) then
             call self%branch%stable_segments(self%equilibrium, control, list, error)
@@ -474,7 +474,7 @@ contains
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
 
-        call check_made(error, "contact", self%is_made)
+        if (.not. self%is_made) call check_made(error, "contact", self%is_made)
         if (allocated(error)) return
         call self%branch%state_on(self%equilibrium, control, segment, s, state, error)
     end subroutine state_on_segment

@@ -88,7 +88,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         integer :: power
 
-        call check_made(error, "law", self%is_made)
+        if (.not. self%is_made) call check_made(error, "law", self%is_made)
         if (allocated(error)) return
         call check_positive(error, "radius", radius)
         if (allocated(error)) return
@@ -126,7 +126,7 @@ contains
         integer, intent(in), optional :: branch
         integer :: way, interval
 
-        call check_made(error, "law", self%is_made)
+        if (.not. self%is_made) call check_made(error, "law", self%is_made)
         if (allocated(error)) return
         way = on_unloading
         if (present(branch)) way = branch
@@ -151,7 +151,7 @@ contains
         real(wp) :: compliance
         integer :: way
 
-        call check_made(error, "law", self%is_made)
+        if (.not. self%is_made) call check_made(error, "law", self%is_made)
         if (allocated(error)) return
         way = on_unloading
         if (present(branch)) way = branch
@@ -324,7 +324,7 @@ contains
         integer, intent(in), optional :: threads
         type(wanted_t) :: wanted
 
-        call check_made(error, "law", self%is_made)
+        if (.not. self%is_made) call check_made(error, "law", self%is_made)
         if (allocated(error)) return
         if (present(force)) wanted%other => force
         if (present(slope)) wanted%slope => slope
@@ -348,7 +348,7 @@ contains
         integer, intent(in), optional :: threads
         type(wanted_t) :: wanted
 
-        call check_made(error, "law", self%is_made)
+        if (.not. self%is_made) call check_made(error, "law", self%is_made)
         if (allocated(error)) return
         if (present(depth)) wanted%other => depth
         if (present(compliance)) wanted%slope => compliance
@@ -404,7 +404,7 @@ contains
         real(wp) :: within
         integer :: interval
 
-        call check_made(error, "law", self%is_made)
+        if (.not. self%is_made) call check_made(error, "law", self%is_made)
         if (allocated(error)) return
         if (segment < 0 .or. segment > size(self%by_depth%segments)) then
             call raise(error, error_invalid, "segment = "//count_text(segment)//": it must be 0 (open) or the value of the "// &

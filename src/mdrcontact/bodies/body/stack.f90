@@ -119,6 +119,7 @@ contains
             self%long_wave_limit = surface%contact()/substrate%contact()
             self%is_plain = self%is_plain .and. substrate%is_plain
         end if
+        ! what looks at its stability takes it as made
         self%is_made = .true.
         if (any(layers%constants%prestress < 0.0_wp)) call check_stable(self, error)
         self%is_made = .not. allocated(error)

@@ -78,7 +78,7 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
-        call check_made(error, "load", self%is_made)
+        if (.not. self%is_made) call check_made(error, "load", self%is_made)
         if (allocated(error)) return
         call check_positions(error, "x", x, max(self%state%radius, self%state%zone_radius))
         if (.not. allocated(error)) call self%surface%line_load(x, values, error)
@@ -94,7 +94,7 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
-        call check_made(error, "load", self%is_made)
+        if (.not. self%is_made) call check_made(error, "load", self%is_made)
         if (allocated(error)) return
         call check_positions(error, "r", r, max(self%state%radius, self%state%zone_radius))
         if (.not. allocated(error)) call self%surface%pressure(r, values, error)
@@ -115,7 +115,7 @@ contains
         integer, allocatable :: places(:)
         integer :: i
 
-        call check_made(error, "load", self%is_made)
+        if (.not. self%is_made) call check_made(error, "load", self%is_made)
         if (allocated(error)) return
         call check_positions(error, "r", r)
         call pick(r, places, outside, found, error, above=self%state%radius)
@@ -146,7 +146,7 @@ contains
         real(wp), allocatable :: found(:)
 
         values = 0.0_wp
-        call check_made(error, "load", self%is_made)
+        if (.not. self%is_made) call check_made(error, "load", self%is_made)
         if (allocated(error)) return
         call self%surface%energies(found, error)
         if (allocated(found)) values = found
@@ -167,7 +167,7 @@ contains
         integer :: round, i
 
         pressure = 0.0_wp
-        call check_made(error, "load", self%is_made)
+        if (.not. self%is_made) call check_made(error, "load", self%is_made)
         if (allocated(error)) return
         radius = self%state%radius
         if (self%equilibrium%work_of_adhesion > 0.0_wp) then
@@ -203,7 +203,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: pressure, radius
 
-        call check_made(error, "load", self%is_made)
+        if (.not. self%is_made) call check_made(error, "load", self%is_made)
         if (allocated(error)) return
         if (.not. self%equilibrium%medium%is_exact .or. self%equilibrium%profile%is_spherical()) return
         call self%lowest_pressure(pressure, radius, error)

@@ -208,7 +208,7 @@ contains
         real(wp) :: level, compliance
 
         traction = 0.0_wp
-        call check_made(error, "law", self%is_made)
+        if (.not. self%is_made) call check_made(error, "law", self%is_made)
         if (allocated(error)) return
         if (present(tangent)) tangent = 0.0_wp
         call check_step(self, force, shift, memory, error)
@@ -231,7 +231,7 @@ contains
         real(wp), intent(out), optional :: tangent(4, 3)
         real(wp) :: copy(size(memory))
 
-        call check_made(error, "law", self%is_made)
+        if (.not. self%is_made) call check_made(error, "law", self%is_made)
         if (allocated(error)) return
         copy = memory
         call self%advance(force, shift, copy, traction, error, tangent)
@@ -249,7 +249,7 @@ contains
         integer :: i
 
         ! all are possible before the first one is done
-        call check_made(error, "law", self%is_made)
+        if (.not. self%is_made) call check_made(error, "law", self%is_made)
         if (allocated(error)) return
         i = 1
         do
@@ -421,7 +421,7 @@ contains
 
         stored = 0.0_wp
         dissipated = 0.0_wp
-        call check_made(error, "law", self%is_made)
+        if (.not. self%is_made) call check_made(error, "law", self%is_made)
         if (allocated(error)) return
         call check_memory(self, memory, error)
         if (allocated(error)) return
@@ -441,7 +441,7 @@ contains
         real(wp), intent(inout), contiguous :: memory(:)
         type(error_t), allocatable, intent(out) :: error
 
-        call check_made(error, "law", self%is_made)
+        if (.not. self%is_made) call check_made(error, "law", self%is_made)
         if (allocated(error)) return
         if (.not. abs(norm2(normal) - 1.0_wp) <= loose) then
             call raise(error, error_invalid, " of length "//to_text(norm2(normal))//": its length must be 1", "normal")

@@ -49,6 +49,8 @@ contains
         self%radii = [smallest_part, 1.0_wp]*radius
         self%continued = by_depth%continued
         call find_levels(self, .false.)
+        ! what verifies it takes it as made
+        self%is_made = .true.
         call verify(self, slip, error)
         self%is_made = .not. allocated(error)
     end subroutine new_twist_law

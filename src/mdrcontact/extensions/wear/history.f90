@@ -136,7 +136,7 @@ contains
         if (.not. allocated(error)) call find_modulus(self, error)
         if (allocated(error)) return
         call begin(self, n, state%radius, control, target, error)
-        if (.not. allocated(error)) call find_mark(wearing(self), state%radius, self%past%mark, error)
+        if (.not. allocated(error)) call find_mark(wearing(self), state%depth, self%past%mark, error)
         self%is_made = .not. allocated(error)
     end subroutine new_wear_history
 

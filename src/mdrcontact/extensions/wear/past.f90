@@ -1,17 +1,17 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The past of a worn contact as numbers, and whether numbers are a past: of this contact, and one that wear leaves.
 !>
-!> Numbers of another contact are found by what the first state under load was there: radius, depth, force and stiffness, heights of
-!> the indenter around it, wear coefficients. Altered numbers are found by what holds in each state (theory/wear.md (5.2)): the
-!> force is the integral of the pressure, and S p + f + W is the depth at each hat in contact, int p ds over the disc the work of
-!> the force.
+!> Numbers of another contact differ in the first state under load, that is its depth, radius, force and stiffness, in heights of
+!> the indenter around it, or in wear coefficients. Altered numbers violate what holds in each state (theory/wear.md (5.2)): the
+!> force is the integral of the pressure, S p + f + W is the depth at each hat in contact, and int p ds over the disc is the work
+!> of the force.
 module mdrcontact_wear_past
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_nonfinite, only: is_finite
-    use mdrcontact_medium_hats, only: hats_t, line_compliance
+    use mdrcontact_wear_hats, only: hats_t, line_compliance
     use mdrcontact_wear_history_on_disc, only: disc_t, wear_history_on_disc_t, new_wear_history_on_disc
     use mdrcontact_wear_rate, only: wear_rate_t
     implicit none (type, external)
@@ -20,8 +20,6 @@ module mdrcontact_wear_past
 
     !> Radii around the first one at which the heights of the indenter identify it.
     real(wp), parameter :: around(*) = [0.25_wp, 0.5_wp, 1.0_wp, 2.0_wp, 4.0_wp, 8.0_wp]
-    !> At a vertical wall the contact is identified at this depth over the radius.
-    real(wp), parameter :: at_wall = 1.0e-2_wp
     !> Numbers that identify a contact: the first state, the surface of the bodies, three for the wear of both sides, and heights.
     integer, parameter :: of_state = 4, of_wear = 7, marks = of_state + of_wear + size(around)
     !> Numbers of a saved past before those of the contact, and of each disc before its pressures.
@@ -46,7 +44,7 @@ module mdrcontact_wear_past
         real(wp) :: last_step = 0.0_wp
         !> of n/2 and of n intervals
         type(disc_t) :: discs(2)
-        !> what identifies the contact, from its first radius on
+        !> what identifies the contact, by its first depth
         real(wp) :: mark(marks) = 0.0_wp
     end type wear_past_t
 
@@ -63,11 +61,11 @@ module mdrcontact_wear_past
 
 contains
 
-    !> What identifies a contact: numbers by its first radius.
-    subroutine find_mark(of, radius, mark, error)
+    !> What identifies a contact: numbers by its first depth, which unlike a radius determines a state at a wall too.
+    subroutine find_mark(of, depth, mark, error)
         type(wearing_t), intent(in) :: of
         !> [length]
-        real(wp), intent(in) :: radius
+        real(wp), intent(in) :: depth
         real(wp), intent(out) :: mark(marks)
         type(error_t), allocatable, intent(inout) :: error
         type(contact_state_t) :: state
@@ -75,20 +73,15 @@ contains
         integer :: i
 
         mark = 0.0_wp
-        if (radius < of%contact%equilibrium%profile%largest_radius .or. .not. of%contact%equilibrium%profile%has_wall) then
-            call of%contact%at_radius(radius, state, error)
-        else
-            ! at a wall the radius does not determine the state
-            call of%contact%at_depth(at_wall*radius, state, error)
-        end if
+        call of%contact%at_depth(depth, state, error)
         if (allocated(error)) return
         associate (profile => of%contact%equilibrium%profile, springs => of%contact%equilibrium%medium%springs, k => of%rate)
-            mark(:of_state) = [radius, state%depth, state%force, state%stiffness]
+            mark(:of_state) = [state%depth, state%radius, state%force, state%stiffness]
             mark(of_state + 1:of_state + of_wear) = &
                 [springs%modulus, springs%kernel%unit, real(size(k%coefficients), wp), k%coefficients(1), &
                  k%coefficients(size(k%coefficients)), sum(k%starts) + sum(k%coefficients), of%body_coefficient]
             do i = 1, size(around)
-                r = around(i)*radius
+                r = around(i)*state%radius
                 if (r < profile%largest_radius) mark(of_state + of_wear + i) = profile%height(r)
             end do
         end associate

@@ -231,7 +231,7 @@ contains
         type(solution_t) :: solution
         integer :: i
 
-        call check_made(error, "medium", self%is_made)
+        if (.not. self%is_made) call check_made(error, "medium", self%is_made)
         if (allocated(error)) return
         do i = 1, size(a)
             call solve_springs(self%springs%kernel, self%springs%tolerance, a(i), solution, error, edge=present(slopes))
@@ -254,7 +254,7 @@ contains
         type(solution_t) :: solution
         real(wp) :: tolerance
 
-        call check_made(error, "medium", self%is_made)
+        if (.not. self%is_made) call check_made(error, "medium", self%is_made)
         if (allocated(error)) return
         tolerance = self%springs%tolerance
         if (present(accuracy)) tolerance = max(tolerance, accuracy)
@@ -289,7 +289,7 @@ contains
         real(wp) :: force
         integer :: i
 
-        call check_made(error, "medium", self%is_made)
+        if (.not. self%is_made) call check_made(error, "medium", self%is_made)
         if (allocated(error)) return
         do i = 1, size(a)
             call depth_and_force(self, profile, a(i), values(i), force, error)
@@ -306,7 +306,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(exact_load_t), allocatable :: own
 
-        call check_made(error, "medium", self%is_made)
+        if (.not. self%is_made) call check_made(error, "medium", self%is_made)
         if (allocated(error)) return
         allocate (own)
         call new_exact_load(own, self%springs, self%surface, profile, a, punch_depth, error, self%parts)
@@ -320,7 +320,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(layered_exact_t), allocatable :: own
 
-        call check_made(error, "medium", self%is_made)
+        if (.not. self%is_made) call check_made(error, "medium", self%is_made)
         if (allocated(error)) return
         allocate (own)
         call new_under_load(own, self, load, error)
@@ -378,7 +378,7 @@ contains
         type(line_load_t) :: springs
         real(wp), allocatable :: sheared(:)
 
-        call check_made(error, "medium", self%is_made)
+        if (.not. self%is_made) call check_made(error, "medium", self%is_made)
         call check_made(error, "tangential", tangential%is_made)
         if (allocated(error)) return
         select type (load)

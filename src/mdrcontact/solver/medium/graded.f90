@@ -136,7 +136,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(graded_t), allocatable :: own
 
-        call check_made(error, "medium", self%is_made)
+        if (.not. self%is_made) call check_made(error, "medium", self%is_made)
         if (allocated(error)) return
         if (load /= shear_load) then
             call refuse_load(self, load, error)

@@ -133,7 +133,7 @@ contains
         real(wp), intent(out) :: depth, force
         type(error_t), allocatable, intent(out) :: error
 
-        call check_made(error, "medium", self%is_made)
+        if (.not. self%is_made) call check_made(error, "medium", self%is_made)
         if (allocated(error)) return
         depth = profile%mdr(a)
         force = 2.0_wp*self%contact_modulus*profile%mdr_moment(a)
@@ -164,7 +164,7 @@ contains
         type(homogeneous_t) :: own
         real(wp) :: moduli(2)
 
-        call check_made(error, "medium", self%is_made)
+        if (.not. self%is_made) call check_made(error, "medium", self%is_made)
         if (allocated(error)) return
         call moduli_under_shear(self, moduli, error)
         if (allocated(error)) return

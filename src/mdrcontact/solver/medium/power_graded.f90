@@ -157,7 +157,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp), intent(out), optional :: slopes(:)
 
-        call check_made(error, "medium", self%is_made)
+        if (.not. self%is_made) call check_made(error, "medium", self%is_made)
         if (allocated(error)) return
         values = self%spring*a**self%exponent/(1.0_wp + self%exponent)
         if (present(slopes)) slopes = self%spring*self%exponent*a**(self%exponent - 1.0_wp)/(1.0_wp + self%exponent)
@@ -176,7 +176,7 @@ contains
         real(wp) :: moments(2), value(1), slope(1)
         type(error_t), allocatable :: never
 
-        call check_made(error, "medium", self%is_made)
+        if (.not. self%is_made) call check_made(error, "medium", self%is_made)
         if (allocated(error)) return
         if (present(adhesive) .or. present(series)) continue
         if (present(accuracy)) accuracy = 0.0_wp
@@ -196,7 +196,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(power_graded_load_t), allocatable :: own
 
-        call check_made(error, "medium", self%is_made)
+        if (.not. self%is_made) call check_made(error, "medium", self%is_made)
         if (allocated(error)) return
         if (allocated(error)) continue
         allocate (own)

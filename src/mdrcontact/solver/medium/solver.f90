@@ -224,7 +224,7 @@ contains
         class(slip_t), allocatable, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
 
-        call check_made(error, "medium", self%is_made)
+        if (.not. self%is_made) call check_made(error, "medium", self%is_made)
         call check_made(error, "tangential", tangential%is_made)
         if (allocated(error)) return
         associate (unused => self, also_unused => tangential, unused_too => load, this_too => found)
@@ -240,7 +240,7 @@ contains
         class(solver_t), allocatable, intent(out) :: other
         type(error_t), allocatable, intent(out) :: error
 
-        call check_made(error, "medium", self%is_made)
+        if (.not. self%is_made) call check_made(error, "medium", self%is_made)
         if (allocated(error)) return
         associate (unused => other)
         end associate

@@ -148,7 +148,7 @@ contains
         type(parameter_t), allocatable :: own(:)
         integer :: i, first, stat
 
-        call check_made(error, "medium", self%is_made)
+        if (.not. self%is_made) call check_made(error, "medium", self%is_made)
         if (allocated(error)) return
         allocate (materials(size(self%materials)), thickness(size(self%thickness)), bonds(size(self%thickness)), stat=stat)
         call check_memory(error, stat)
@@ -228,7 +228,7 @@ contains
         type(moduli_t) :: moduli(size(self%thickness) + 1)
 
         ! of a rigid base any
-        call check_made(error, "medium", self%is_made)
+        if (.not. self%is_made) call check_made(error, "medium", self%is_made)
         if (allocated(error)) return
         moduli(size(moduli)) = moduli_t((1.0_wp, 0.0_wp), (2.0_wp, 0.0_wp), (0.0_wp, 0.0_wp))
         moduli(:size(self%materials)) = self%materials%moduli_at(s)
