@@ -11,7 +11,7 @@ module mdrcontact_wear_past
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_nonfinite, only: is_finite
-    use mdrcontact_wear_hats, only: hats_t, line_compliance
+    use mdrcontact_medium_hats, only: hats_t, line_compliance
     use mdrcontact_wear_history_on_disc, only: disc_t, wear_history_on_disc_t, new_wear_history_on_disc
     use mdrcontact_wear_rate, only: wear_rate_t
     implicit none (type, external)
