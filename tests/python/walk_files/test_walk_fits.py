@@ -99,7 +99,7 @@ CASES = [
         "force-depth",
         mdi.ForceDepth,
         _force_depth(),
-        {**FIT, "instrument": STICKY, "adhesion_rule": "energy", "yield_stresses": (0.13e9, 0.15e9)},
+        {**FIT, "instrument": STICKY, "adhesion_rule": "energy", "yield_stresses": (0.13e9, None)},
     ),
     Case("weighed", mdi.ForceDepth, _force_depth(), WEIGHED),
     Case("stiffness-depth", mdi.StiffnessDepth, _stiffness_depth(), {**FIT, "yield_stresses": (0.53e9, 0.61e9)}),
