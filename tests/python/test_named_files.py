@@ -96,10 +96,10 @@ def test_the_walk_has_every_key_that_names_a_file():
     )
     openers = {name for name, text in sources.items() if opening.search(text)}
     # the command line's own files: the problem, the data, the examples and texts of the package, what a report states the origin
-    # of; and the array that is mapped
+    # of; the array that is mapped; and the files that were dropped on the page
     assert openers == {
         *("problem/named.py", "problem/toml.py", "instruments/reading/content.py"),
-        *("cli/__init__.py", "cli/example.py", "cli/files.py", "problem/structure.py"),
+        *("cli/__init__.py", "cli/example.py", "cli/files.py", "problem/structure.py", "app/measure.py"),
     }
 
 

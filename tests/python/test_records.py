@@ -251,7 +251,10 @@ def test_a_table_of_unloading_alone(raw, capsys):
     depth, force = approach()
     depth, force = depth[::-1], force[::-1]
     np.savetxt(raw / "fall.txt", np.column_stack([1e9 * depth, 1e9 * force]), header="depth [nm] load [nN]", comments="")
-    for branch, words in (("unloading", f"{len(depth)} readings of unloading"), ("loading", "the curve has 0 readings of it")):
+    for branch, words in (
+        ("unloading", f"{len(depth)} readings of unloading"),
+        ("loading", "the curve has 0 readings of branch = 'loading'"),
+    ):
         (raw / "problem.toml").write_text(PLAIN.replace("[fit.free]", f'branch = "{branch}"\n[fit.free]'))
         main(["fit", str(raw / "fall.txt"), "--problem", str(raw / "problem.toml")])
         assert words in "".join(capsys.readouterr())
@@ -296,7 +299,7 @@ def test_what_is_missing_is_named(raw, capsys, old, new, words):
         ("Height [nm]\tForce [nN]", "", "", "deflection_sensitivity belongs to a deflection in volts"),
         ("Depth [nm]\tForce [nN]", 'deflection_sensitivity = "50 nm/V"\n', "", "spring_constant belongs to"),
         ("Depth [nm]\tForce [nN]\tDeflection [V]", "[fit.free]", 'deflection = "Deflection [V]"\n[fit.free]', "is not read"),
-        ("Height [nm]\tDeflection [V]\tTime", "[fit.free]", 'units = { Time = "s" }\n[fit.free]', "'Time' is not read"),
+        ("Height [nm]\tDeflection [V]\tTime", "[fit.free]", 'units = { Time = "s" }\n[fit.free]', "'Time' of units is not read"),
     ],
 )  # fmt: skip
 def test_settings_and_columns_that_are_not_read_are_refused(raw, capsys, header, old, new, words):

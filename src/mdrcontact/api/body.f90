@@ -56,6 +56,7 @@ contains
             call move_alloc(layered%thickness, body%relaxing%thickness)
             call move_alloc(layered%bonds, body%relaxing%bonds)
             body%relaxing%rigid_base = layered%rigid_base
+            body%relaxing%is_made = .not. allocated(error)
         else
             if (.not. allocated(error)) call new_stack(stack, layered%materials(:n), layered%thickness, layered%materials(n + 1), &
                                                        error, layered%rigid_base, layered%bonds)
