@@ -105,7 +105,7 @@ contains
 
     !> The calling thread works for a team from now on: check_cancelled follows the thread that leads it.
     subroutine help_team(team)
-        !> null: the thread no longer helps
+        !> a null pointer ends its help
         type(c_ptr), intent(in) :: team
 
         call mdrcontact_help(team)

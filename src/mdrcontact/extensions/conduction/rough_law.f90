@@ -3,7 +3,7 @@
 !> it, or by plastic micro-contacts and the gas between them (theory/conduction.md (4.14)-(4.17)).
 module mdrcontact_conduction_rough_law
     use mdrcontact_conduction_bodies, only: conduction_t
-    use mdrcontact_error, only: check_not_negative, check_positive, error_domain, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_made, check_not_negative, check_positive, error_domain, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     implicit none (type, external)
     private
@@ -106,12 +106,15 @@ contains
         real(wp), intent(in) :: pressure(:)
         !> [length^2/conductance]
         real(wp), intent(out) :: resistance(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(micro_contacts_t) :: law
         integer :: i
 
         resistance = 0.0_wp
+        call check_made(error, "conduction", conduction%is_made)
+        if (allocated(error)) return
         call new_micro_contacts(law, conduction, roughness, slope, hardness, gas, jump, error)
+        if (allocated(error)) return
         do i = 1, size(pressure)
             call check_positive(error, "pressure", pressure(i), i)
             call law%check(pressure(i), error)

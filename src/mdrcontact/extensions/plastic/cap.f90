@@ -171,6 +171,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         integer :: i
 
+        call check_made(error, "cap", self%is_made)
+        if (allocated(error)) return
         do i = 1, size(values)
             call self%at(given, values(i), found(i), error)
             if (.not. allocated(error)) cycle
@@ -408,7 +410,7 @@ contains
         real(wp), intent(in) :: x(:)
         !> [modulus length]
         real(wp), intent(out) :: loads(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         real(wp) :: rest, square
         integer :: i
 

@@ -79,6 +79,8 @@ contains
         type(layers_t) :: layers
         real(wp) :: axis(2), loads(2), mean, modulus
 
+        call check_made(error, "medium", medium%is_given())
+        if (allocated(error)) return
         call check_positive(error, "radius", radius)
         call check_positive(error, "force", force)
         call check_positive(error, "depth", depth)
@@ -112,6 +114,7 @@ contains
         if (self%misfit < rounding) self%misfit = 0.0_wp
         loads(2) = 1.5_wp*(mean - 0.25_wp*pi*loads(1))
         call finish(self, loads, layers, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_imprint
 
     !> The imprint of the pressure uniform + hertz sqrt(1 - r^2/A^2) at the largest load.
@@ -130,6 +133,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(layers_t) :: layers
 
+        call check_made(error, "medium", medium%is_given())
+        if (allocated(error)) return
         call check_positive(error, "radius", radius)
         call check_not_negative(error, "uniform", uniform)
         call check_finite(error, "hertz", hertz)
@@ -141,6 +146,7 @@ contains
         call begin(self, medium, radius, depth, layers, error)
         if (allocated(error)) return
         call finish(self, [2.0_wp*uniform, half_pi*hertz]*(radius/medium%solver%springs%modulus), layers, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_imprint_of_two_terms
 
     !> The imprint of a pressure known at points, a polynomial in sqrt(1 - r^2/A^2) by least squares.
@@ -160,6 +166,8 @@ contains
         real(wp) :: misfit
         integer :: k
 
+        call check_made(error, "medium", medium%is_given())
+        if (allocated(error)) return
         call check_finite(error, "depth", depth)
         call fit_pressure(r, p, powers, misfit, error)
         if (allocated(error)) return
@@ -171,6 +179,7 @@ contains
             powers(k + 1) = powers(k + 1)*moment(k)*self%radius/medium%solver%springs%modulus
         end do
         call finish(self, powers, layers, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_imprint_from_pressure
 
     !> What all imprints have, after checks.
@@ -181,7 +190,6 @@ contains
         type(layers_t), intent(out) :: layers
         type(error_t), allocatable, intent(inout) :: error
 
-        call check_made(error, "medium", medium%is_given())
         if (.not. allocated(error)) call check_elastic(medium, error)
         if (.not. allocated(error)) call check_springs(medium%solver, "an imprint is", error)
         if (.not. allocated(error) .and. medium%solver%is_rigid) then
@@ -241,7 +249,6 @@ contains
         end if
         self%residual_depth = self%depth - axis
         call check_rise(self, error)
-        self%is_made = .not. allocated(error)
     end subroutine finish
 
     !> Raises where the profile falls: contact would not end on one disc.
@@ -320,7 +327,8 @@ contains
         end do
     end function moment
 
-    !> R_Y: the largest von Mises stress of the elastic body under the pressure at the largest load over the yield stress of a layer
+    !> Computes R_Y, the largest von Mises stress of the elastic body under the pressure at the largest load over the yield stress
+    !> of a layer
     !> (theory/plastic.md (1.9)). Above 3 it raises.
     subroutine reverse_yield(self, yield_stress, ratio, layer, error)
         class(imprint_t), intent(in) :: self

@@ -10,7 +10,7 @@
 module mdrcontact_plastic_law
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_null_ptr, c_ptr
     use mdrcontact_batch, only: batch_t, check_threads, run_batch
-    use mdrcontact_error, only: check_finite, check_positive, error_domain, error_invalid, error_t, raise, &
+    use mdrcontact_error, only: check_finite, check_made, check_positive, error_domain, error_invalid, error_t, raise, &
                                 raise_at, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_evaluate, only: law_view_t
@@ -42,6 +42,8 @@ module mdrcontact_plastic_law
         real(wp) :: radius = 0.0_wp, modulus = 0.0_wp, work_of_adhesion = 0.0_wp
         !> the tolerance set, and the largest error of the polynomials that was found, relative
         real(wp) :: tolerance = 0.0_wp, error = 0.0_wp
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
     contains
         procedure :: memory_size
         procedure :: steps
@@ -142,10 +144,12 @@ contains
         class(plastic_law_t), intent(in), target :: self
         type(plastic_steps_t), intent(in) :: contacts
         integer, intent(in) :: threads
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(work_t) :: work
         integer :: i, n
 
+        call check_made(error, "law", self%is_made)
+        if (allocated(error)) return
         n = size(contacts%depth)
         call check_threads(error, threads)
         if (size(contacts%memory, 1) /= self%memory_size() .or. size(contacts%memory, 2) /= n) then
@@ -235,10 +239,12 @@ contains
         !> (memory_size(), n)
         real(wp), intent(in), contiguous, target :: memory(:, :)
         real(wp), intent(inout), contiguous :: stored(:), dissipated(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(plastic_view_t) :: view
         integer :: i, n
 
+        call check_made(error, "law", self%is_made)
+        if (allocated(error)) return
         n = size(depth)
         if (size(memory, 1) /= self%memory_size() .or. size(memory, 2) /= n) then
             call raise(error, error_invalid, ": it must have memory_size numbers for each depth", "memory")
@@ -263,11 +269,16 @@ contains
         real(wp), intent(in) :: depth
         !> [modulus length^2], [length], [length], [modulus length^3]
         real(wp), intent(out) :: force, radius, residual, work
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(path_t) :: path
         real(wp) :: state(6)
 
+        force = 0.0_wp
+        radius = 0.0_wp
         residual = 0.0_wp
+        work = 0.0_wp
+        call check_made(error, "law", self%is_made)
+        if (allocated(error)) return
         call begin_path(self, path)
         call go_to(self, path, depth, force, radius, error)
         call energies_on(self, path, work, error)
@@ -332,12 +343,14 @@ contains
         !> the reduced mass > 0 [mass], and the speed > 0 at initial contact; mass speed^2 in [modulus length^3]
         real(wp), intent(in) :: mass, speed
         real(wp), intent(out) :: coefficient
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(path_t) :: path
         real(wp) :: energy, low, high, middle, force, radius, residual, work, lost
         integer :: i
 
         coefficient = 1.0_wp
+        call check_made(error, "law", self%is_made)
+        if (allocated(error)) return
         call check_positive(error, "mass", mass)
         call check_positive(error, "speed", speed)
         energy = 0.5_wp*mass*speed**2

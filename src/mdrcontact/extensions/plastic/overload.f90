@@ -156,6 +156,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         integer :: i
 
+        call check_made(error, "rule", self%is_made)
+        if (allocated(error)) return
         do i = 1, size(values)
             call self%at(given, values(i), found(i), error)
             if (.not. allocated(error)) cycle
@@ -173,6 +175,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: mean, pressure, depth, unused, deficit, part, height, slope
 
+        call check_made(error, "rule", self%is_made)
+        if (allocated(error)) return
         call self%contact%at_radius(radius, elastic, error)
         if (allocated(error)) return
         mean = elastic%force/(pi*radius**2)
@@ -282,6 +286,8 @@ contains
         type(contact_state_t) :: before
         real(wp) :: exponent, slope
 
+        call check_made(error, "rule", self%is_made)
+        if (allocated(error)) return
         if (state%load <= self%virgin%first_yield) return
         slope = self%contact%equilibrium%profile%slope(state%radius)
         exponent = state%radius*slope/self%contact%equilibrium%profile%height(state%radius)
@@ -318,6 +324,8 @@ contains
         real(wp) :: stress
         integer :: i
 
+        call check_made(error, "rule", self%is_made)
+        if (allocated(error)) return
         if (size(self%yield_stress) == 1) return
         if (.not. any(self%yield_stress(2:) <= huge(1.0_wp))) return
         call self%contact%load(elastic, load, error)

@@ -23,6 +23,8 @@ module mdrcontact_plastic_yielding
         type(material_t) :: material
         !> plastic strains [1], rising, and the yield stress at each [modulus], not falling
         real(wp), allocatable :: strain(:), stress(:)
+        !> whether it was made: set last by what makes it
+        logical :: is_made = .false.
     contains
         procedure :: stress_at
         procedure :: reach
@@ -37,7 +39,7 @@ contains
         type(material_t), intent(in) :: material
         !> >= 0, rising [1]; as many > 0, not falling [modulus]
         real(wp), intent(in) :: strain(:), stress(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         integer :: i, stat
 
         call check_same_size(error, size(strain), size(stress))
@@ -58,6 +60,7 @@ contains
         self%material = material
         self%strain(:) = strain
         self%stress(:) = stress
+        self%is_made = .not. allocated(error)
     end subroutine new_yielding
 
     !> A material that does not yield.
@@ -65,11 +68,12 @@ contains
         type(yielding_t), intent(out) :: self
         !> isotropic
         type(material_t), intent(in) :: material
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
 
         if (.not. material%is_plain) call raise(error, error_invalid, "material: it must be isotropic and free of stress")
         self%material = material
         allocate (self%strain(0), self%stress(0))
+        self%is_made = .not. allocated(error)
     end subroutine new_elastic
 
     !> Raises unless the strain rises, the stress does not fall, and it rises less than proportionally to the strain.
@@ -144,7 +148,7 @@ contains
         real(wp), intent(in) :: inclination
         !> Y [modulus], and its error [1]
         real(wp), intent(out) :: stress, relative_error
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(virgin_t) :: virgin
         real(wp) :: slope, low, high, load, near(2), unused(3)
         integer :: i

@@ -2,8 +2,8 @@
 !> Laws of contacts that yield, from materials or from points of a curve.
 module mdrcontact_plastic_law_new
     use mdrcontact_contact, only: contact_t, new_contact
-    use mdrcontact_error, only: check_not_negative, check_positive, check_within, error_domain, error_invalid, error_t, explain, &
-                                raise, to_text
+    use mdrcontact_error, only: check_made, check_not_negative, check_positive, check_within, error_domain, error_invalid, &
+                                error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_from_contact, only: law_options_t, new_contact_law
@@ -58,7 +58,11 @@ contains
         type(virgin_t) :: virgin
         real(wp) :: modulus, own, share
 
+        call check_made(error, "profile", profile%is_made)
+        call check_made(error, "metal", metal%is_made)
+        if (allocated(error)) return
         if (present(options)) chosen = options
+        if (allocated(chosen%other)) call check_made(error, "other", chosen%other%is_made)
         call check_positive(error, "largest_depth", largest_depth)
         if (allocated(error)) return
         if (size(metal%stress) == 0) then
@@ -133,6 +137,7 @@ contains
         call add_facts(self, loading, elastic, first, highest, largest_depth, line)
         call check_slope(self, largest_depth, error)
         if (.not. allocated(error)) call compile_loading(self, elastic, loading, highest, line, error)
+        self%is_made = .not. allocated(error)
     end subroutine new_plastic_law_from_loading
 
     !> Raises if adhesion alone yields the body: if the contact of Johnson, Kendall and Roberts under no force is larger than that
@@ -317,6 +322,8 @@ contains
         type(plastic_law_t), intent(out) :: other
         type(error_t), allocatable, intent(out) :: error
 
+        call check_made(error, "law", law%is_made)
+        if (allocated(error)) return
         call check_positive(error, "radius", radius)
         if (allocated(error)) return
         if (.not. law%radius > 0.0_wp) then
