@@ -165,6 +165,26 @@ static int use_imprint_facts(const objects *o, void *structure)
 }
 #endif
 
+#ifdef MDRCONTACT_PLASTIC_H
+/* The law of a ball that yields, with these options, and its properties where there is room for them. */
+static int make_plastic_law(const objects *o, const mdr_plastic_law_options *options, mdr_plastic_law_facts *facts)
+{
+    static const double strain = 0.0, stress = 0.01;
+    mdr_yielding *metal = NULL;
+    mdr_plastic_law *law = NULL;
+    int status = mdr_yielding_new(1.0, 0.3, 1, &strain, &stress, &metal);
+    if (status == MDR_SUCCESS) status = mdr_plastic_law_new(o->ball, metal, 0.01, options, &law);
+    if (status == MDR_SUCCESS && facts) status = mdr_plastic_law_about(law, facts);
+    MDR_FREE(law);
+    MDR_FREE(metal);
+    return status;
+}
+
+static int use_plastic_options(const objects *o, void *structure) { return make_plastic_law(o, structure, NULL); }
+
+static int use_plastic_facts(const objects *o, void *structure) { return make_plastic_law(o, NULL, structure); }
+#endif
+
 /* Success where a structure was read and refused for this member of it alone, which is required and 0. */
 static int lacks_only(int status, const char *member)
 {
@@ -336,6 +356,8 @@ int main(void)
 #endif
 #ifdef MDRCONTACT_PLASTIC_H
     EVERY_SIZE(use_imprint_facts, mdr_imprint_facts, 1);
+    EVERY_SIZE(use_plastic_options, mdr_plastic_law_options, 0);
+    EVERY_SIZE(use_plastic_facts, mdr_plastic_law_facts, 1);
 #endif
 #ifdef MDRCONTACT_LATERAL_H
     EVERY_SIZE(use_structure, mdr_structure_options, 0);

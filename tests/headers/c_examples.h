@@ -31,6 +31,8 @@ static mdr_imprint *imprint;
 static mdr_plastic_law *plastic_law;
 static mdr_plastic_view plastic_view;
 static double plastic_numbers[20000];
+static mdr_overload *rule;
+static mdr_cap *cap;
 static mdr_wear_history *wear_history;
 static mdr_conduction *conduction;
 static mdr_poroelastic *poroelastic;
@@ -108,16 +110,17 @@ static int make_contacts(void)
     return failed;
 }
 
-/* A steel ball of 1 mm that yields, up to 10 um. */
+/* A steel ball of 1 mm that yields, up to 10 um; and models of the coated body that yields. */
 static int make_plastic(void)
 {
-    const double strain = 0.0, Y = 1e9;
+    const double strain = 0.0, Y = 1e9, yield_stress[2] = {1e9, 4e9};
     mdr_yielding *steel = NULL;
     mdr_profile *large = NULL;
     const int failed = mdr_yielding_new(200e9, 0.3, 1, &strain, &Y, &steel) || mdr_profile_paraboloid(1e-3, &large)
         || mdr_plastic_law_new(large, steel, 10e-6, NULL, &plastic_law)
         || mdr_plastic_law_buffer(plastic_law, 20000, plastic_numbers)
-        || mdr_plastic_view_at(plastic_numbers, plastic_numbers, &plastic_view);
+        || mdr_plastic_view_at(plastic_numbers, plastic_numbers, &plastic_view)
+        || mdr_overload_new(contact, 2, yield_stress, &rule) || mdr_cap_new(contact, 5e9, &cap);
     MDR_FREE(steel);
     MDR_FREE(large);
     return failed;

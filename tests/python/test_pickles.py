@@ -17,7 +17,7 @@ from conftest import OXIDE, PUBLIC, ROOT, RUBBER, SILICON, every_medium, every_p
 import mdrcontact as mdr
 import mdrcontact.instruments as mdi
 from mdrcontact import lateral, problem
-from mdrcontact.conduction import INSULATING, PERFECT, Conduction, Conductor, LayeredConductor
+from mdrcontact.conduction import INSULATING, PERFECT, Conduction, Conductor, LayeredConductor, RoughJoint
 from mdrcontact.instruments.files.fit_file import load_fit_file
 
 FILM, BALL = mdr.Coated(OXIDE, 500e-9, SILICON), mdr.Sphere(10e-6)
@@ -77,6 +77,10 @@ def fits():
     unloading = mdi.Unloading(
         np.interp(np.arange(0, 24, 0.1), np.arange(24), h), np.interp(np.arange(0, 24, 0.1), np.arange(24), h**1.5)
     )
+    way, back = np.linspace(0.0, 1.0, 60), np.linspace(1.0, 0.0, 60)
+    noise = 1e-6 * np.random.default_rng(0).standard_normal(120)
+    indent = mdi.Unloading(1e-7 * np.r_[way, 1.0 - 0.4 * way], 1e-3 * np.r_[way**2, back**1.5] + noise)
+    yielded = mdi.fit(indent, mdr.Berkovich(), mdr.Homogeneous(OXIDE), ["E"], yield_stresses=[4.8e9])
     profile = mdi.modulus_at_depths(csm, BALL, FILM, ["coating.E"])
     composite = mdi.composite_hardness(np.arange(1.0, 8.0), 1.0 + 1.0 / np.arange(1.0, 8.0))
     time = np.linspace(0.0, 1.0, 9)
@@ -96,6 +100,8 @@ def fits():
         csm,
         unloading,
         unloading.unloadings[0],
+        yielded,
+        *yielded.reverse_yield,
         mdi.ModulusRadius([1e-7, 2e-7], [1e11, 1.1e11]),
         mdi.StiffnessRadius([1e-7, 2e-7], [1e4, 2e4], sd=1.0),
         mdi.ForceTime(time, 1e-8 * time, 1e-9 * time),
@@ -159,6 +165,36 @@ def imprints():
     return [imprint, points, imprint.profile, imprint.reverse_yield(7e9), imprint.contact(0.1)]
 
 
+def yielding():
+    """Bodies that yield, their laws, models of first loading, and the states of each."""
+    flat = mdr.plastic.Yielding(OXIDE, yield_stress=2e9)
+    rising = mdr.plastic.Yielding(OXIDE, hardening=[(0.0, 2e9), (0.01, 2.1e9)])
+    law = mdr.plastic.PlasticLaw(mdr.Paraboloid(1e-4), rising, 5e-7, other=SILICON)
+    adhesive = mdr.plastic.PlasticLaw(mdr.Paraboloid(1e-4), flat, 5e-7, work_of_adhesion=0.05)
+    points = mdr.plastic.Overload(mdr.Contact(mdr.Cone(0.1), mdr.Homogeneous(OXIDE)), [1e9]).points([1e-8, 2e-8, 4e-8])
+    contact = mdr.Contact(mdr.Paraboloid(1e-5), FILM)
+    rule, cap = mdr.plastic.Overload(contact, [1e9, 7e9]), mdr.plastic.PressureCap(contact, 2e9)
+    return [
+        flat,
+        rising,
+        law,
+        adhesive,
+        law.with_radius(2e-4),
+        mdr.plastic.PlasticLaw.from_table(*points, modulus=OXIDE.E / (1.0 - OXIDE.nu**2)),
+        law.advance(law.contacts(2), [1e-7, 4e-7]),
+        law.loading([1e-8, 4e-7]),
+        mdr.plastic.yield_stress_from_hardness(OXIDE, 5e9),
+        points,
+        rule,
+        rule.at_radius(3e-7),
+        rule.at_radius(9e-7).imprint(),
+        rule.at_radius(9e-7),
+        cap,
+        cap.at_radius(6e-7),
+        cap.at_radius(6e-7).imprint(),
+    ]
+
+
 def zone_in_time():
     sticky = mdr.Contact(
         mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Viscoelastic(0.5e6, [(4.5e6, 1e-3)], nu=0.5)), 0.05, cohesive_stress=0.5e6
@@ -200,6 +236,7 @@ def conductors():
     return [
         tin,
         mdr.Interface(1e-9),
+        RoughJoint(1e-7, 0.1, 2e9, 1e-8, 0.03),
         body,
         conduction,
         PERFECT,
@@ -289,7 +326,7 @@ def faults():
     return [*words, problem.ProblemError("words")]
 
 
-MAKERS = (bodies, conductors, results, friction, wear, imprints, wear, fits, structures, records, problems, faults)
+MAKERS = (bodies, conductors, results, friction, wear, imprints, yielding, fits, structures, records, problems, faults)
 
 
 @pytest.fixture(scope="module")

@@ -74,6 +74,21 @@ def worn(distance):
     return mdr.wear.Wear(sphere, 1.0).history(force=0.1, intervals=16, scheme="rings").advance([0.1, distance], force=[0.1, 0.1])
 
 
+def unloaded(yield_stress):
+    """R_Y of an imprint whose largest von Mises stress is 0.01863."""
+    return mdr.plastic.Imprint.from_two_terms(HALF_SPACE, 0.9, 0.017, 0.013).reverse_yield(yield_stress)
+
+
+def overloaded(radius):
+    return mdr.plastic.Overload(mdr.Contact(mdr.Paraboloid(1.0), HALF_SPACE), [0.01]).at_radius(radius)
+
+
+def imprinted(share):
+    """An imprint with a residual depth below that of Hertz's unloading by a share of the recovery."""
+    hertz = mdr.plastic.Imprint.from_two_terms(HALF_SPACE, 0.9, 0.0, 0.03)
+    return mdr.plastic.Imprint(HALF_SPACE, 0.9, hertz.force, 1.0 - (1.0 + share) * hertz.recovery, 1.0)
+
+
 CASES = {
     mdr.errors.PathEndsWarning: (worn, 60.0, 0.1, "ends after 1 of 2 parts"),
     mdr.errors.LargeStrainWarning: (at_radius, 3.0, 0.1, "slope of 3"),
@@ -84,6 +99,7 @@ CASES = {
     mdr.errors.SlipInsideWarning: (sheared, 3.5, 3.57, "slip would begin inside"),
     mdr.errors.BeyondRangeWarning: (of_a_law, 0.2, 0.05, "1 of 2 values of depth lie beyond 0.1"),
     mdr.errors.AdhesionRateWarning: (at_speed, 5e-3, 2e-4, "beyond its range"),
+    mdr.errors.PlasticityWarning: (unloaded, 0.009, 0.02, "unloading yields again"),
 }
 """Of each class how a result is made, with what it warns, with what it does not, and words of the warning."""
 
@@ -97,7 +113,9 @@ def made_a_law(depth):
     return mdr.ContactLaw(mdr.Contact(mdr.Paraboloid(1.0), HALF_SPACE), depth, tolerance=1e-3)
 
 
-THREADED = {**CASES, "loop": (looped, 1e-6, 1e-7, "compressed"), "law": (made_a_law, 3.0, 0.1, "slope of")}
+PLASTIC = {"overload": (overloaded, 0.2, 0.05, "hardness of spheres falls"), "imprint": (imprinted, 5e-4, -5e-4, "taken as 0")}
+"""Others that a `PlasticityWarning` is about."""
+THREADED = {**CASES, **PLASTIC, "loop": (looped, 1e-6, 1e-7, "compressed"), "law": (made_a_law, 3.0, 0.1, "slope of")}
 """The same, and objects that collect the warnings of what they compute."""
 
 
@@ -129,6 +147,16 @@ def test_each_class_is_raised_and_carried(kind):
     with warnings.catch_warnings():
         warnings.simplefilter("error", kind)
         assert not any(words in other for other in carried(make(sound)))
+
+
+@pytest.mark.parametrize("kind", PLASTIC)
+def test_plastic_results_carry_theirs(kind):
+    make, doubtful, sound, words = PLASTIC[kind]
+    with pytest.warns(mdr.errors.PlasticityWarning, match=words) as seen:
+        result = make(doubtful)
+    assert result.warnings == tuple(str(warning.message) for warning in seen)
+    assert pickle.loads(pickle.dumps(result)).warnings == copy.copy(result).warnings == result.warnings
+    assert make(sound).warnings == ()
 
 
 @pytest.mark.filterwarnings("ignore::mdrcontact.MDRWarning")

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from .. import _layout
 from .._boundary import Handle, call, native, number, numbers, record
 from .._value import Value
-from .._warn import warn
+from .._warn import Caution, Warned, silence, texts_of, warn_all
 from ..contact import Contact
 from ..errors import ArgumentTypeError, InvalidArgumentError, PlasticityWarning
 from ..medium.base import Medium
@@ -26,7 +26,16 @@ _ELASTIC, _SMALL = 2.0, 2.5
 """R_Y up to which reversed flow on unloading does not show, and up to which it is small."""
 
 
-class ReverseYield(NamedTuple):
+class _ReverseYieldNumbers(NamedTuple):
+    """The numbers of a `ReverseYield`."""
+
+    ratio: float
+    """R_Y, largest von Mises stress over yield stress of all layers [1]"""
+    layer: int
+    """the layer where it is, 0 the first from the surface"""
+
+
+class ReverseYield(_ReverseYieldNumbers, Warned):
     """Ratio that tells whether unloading is elastic, from `Imprint.reverse_yield`.
 
     Examples
@@ -37,11 +46,6 @@ class ReverseYield(NamedTuple):
     >>> print(f"{ratio:.2f} {layer}")
     1.62 0
     """
-
-    ratio: float
-    """R_Y, largest von Mises stress over yield stress of all layers [1]"""
-    layer: int
-    """the layer where it is, 0 the first from the surface"""
 
 
 class _HasImprint(Protocol):
@@ -109,6 +113,8 @@ class Imprint(Value):
     depth: float
     _form: tuple[str, dict[str, Any]] = field(init=False, repr=False, hash=False)
     """which class method made it, "" for none, and its arguments"""
+    warnings: tuple[str, ...] = field(init=False, repr=False, compare=False, default=())
+    """warnings about these numbers; empty if there are none"""
     _recovered_work: float = field(init=False, repr=False, compare=False)
     _uniform: float = field(init=False, repr=False, compare=False)
     _hertz: float = field(init=False, repr=False, compare=False)
@@ -124,11 +130,13 @@ class Imprint(Value):
         }
         self._make("", native.imprint_new, given)
         if self.misfit > 0.0:
-            warn(
+            text = (
                 f"residual_depth = {self.residual_depth:g}: force and depths need a uniform part of the pressure of "
-                f"-{100 * self.misfit:.2g} % of F/A. It is taken as 0, Hertz's unloading",
-                PlasticityWarning,
+                f"-{100 * self.misfit:.2g} % of F/A. It is taken as 0, Hertz's unloading"
             )
+            found = [Caution(text, PlasticityWarning)]
+            self._set(warnings=texts_of(found))
+            warn_all(found)
 
     def _make(self, form: str, constructor: Callable[..., Any], given: dict[str, Any]) -> None:
         """Makes the imprint from its arguments, and reads its properties."""
@@ -161,7 +169,7 @@ class Imprint(Value):
         return f"{type(self).__name__}{'.' if form else ''}{form}({arguments})"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return partial(self._maker(), **self._given()), ()
+        return partial(_remade, self._maker(), **self._given()), ()
 
     def replace(self, **changes: Any) -> Imprint:
         """Return a new imprint with some arguments changed.
@@ -390,14 +398,22 @@ class Imprint(Value):
         """
         values = np.atleast_1d(numbers("yield_stresses", yield_stresses))
         ratio, layer = call(native.imprint_reverse_yield, self._handle, values)
+        found = []
         if ratio > _ELASTIC:
             size = "0.02 % to 0.5 %" if ratio <= _SMALL else "0.5 % to 2.5 %"
-            warn(
+            text = (
                 f"R_Y = {ratio:.3g} in layer {layer}: unloading yields again. Finite elements show an error of {size} of the "
-                "largest force",
-                PlasticityWarning,
+                "largest force"
             )
-        return ReverseYield(ratio, layer)
+            found.append(Caution(text, PlasticityWarning))
+        warn_all(found)
+        return ReverseYield(ratio, layer)._carrying(found)
+
+
+@silence()
+def _remade(maker: Callable[..., Imprint], **given: Any) -> Imprint:
+    """A copy: the user has read its warning."""
+    return maker(**given)
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from .. import _layout
 from .._boundary import FloatOrArray, Handle, evaluate_all, native, number, row
 from .._value import Value
-from .._warn import warn
+from .._warn import Caution, texts_of, warn_all
 from ..contact import Contact
 from ..errors import ArgumentTypeError, InvalidArgumentError, PlasticityWarning
 from .imprint import Imprint
@@ -79,6 +79,8 @@ class OverloadState:
     """relative error of the force by comparison with finite elements; 0 before yield [1]"""
     depth_error: FloatOrArray
     """relative error of the depth by comparison with finite elements; 0 before yield [1]"""
+    warnings: tuple[str, ...] = field(default=(), repr=False, compare=False)
+    """warnings about these numbers; empty if there are none"""
 
     def imprint(self) -> Imprint:
         """Return the imprint that one state leaves.
@@ -257,27 +259,31 @@ class Overload(Value):
 
     def _states(self, name: str, given: int, values: ArrayLike) -> OverloadState:
         columns = evaluate_all(name, values, lambda flat: native.overload_states(self._handle, given, flat))
-        state = OverloadState(self, *columns)
-        self._warn(state)
-        return state
+        depth, radius, force, load, uniform, hertz, force_error, depth_error = columns
+        state = OverloadState(self, depth, radius, force, load, uniform, hertz, force_error, depth_error)
+        found = self._doubts(state)
+        warn_all(found)
+        return replace(state, warnings=texts_of(found))
 
-    def _warn(self, state: OverloadState) -> None:
-        """Warns of a large a/R and of a contact wider than the film."""
+    def _doubts(self, state: OverloadState) -> list[Caution]:
+        """Warnings of a large a/R and of a contact wider than the film."""
+        found: list[Caution] = []
         yielded = np.asarray(state.force_error) > 0.0
         if not np.any(yielded):
-            return
+            return found
         largest = float(np.max(np.where(yielded, state.radius, 0.0)))
         profile = self.contact.indenter
         slope = largest / profile.radius if hasattr(profile, "radius") else 0.0
         if slope > _SMALL_SLOPE:
-            warn(
+            text = (
                 f"a/R = {slope:.2g}: beyond 0.1 the hardness of spheres falls, here by {145.0 * slope**2:.2g} %, which the rule "
-                "leaves out. Reduce the load",
-                PlasticityWarning,
+                "leaves out. Reduce the load"
             )
+            found.append(Caution(text, PlasticityWarning))
         if np.any(np.asarray(state.depth_error) > 0.1):
-            warn(
+            text = (
                 f"a = {largest:g} exceeds the thickness of the film: the film piles up, and force and depth have errors of 9 % and "
-                "14 %. Reduce the load",
-                PlasticityWarning,
+                "14 %. Reduce the load"
             )
+            found.append(Caution(text, PlasticityWarning))
+        return found

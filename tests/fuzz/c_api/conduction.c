@@ -76,6 +76,12 @@ void fuzz_conduction(world *w)
         fill(out);
         judge("mdr_conduction_rough", mdr_conduction_rough(p, contact, &state, x[0], out), 1, out, NOT_NEGATIVE);
         fill(out);
+        status = mdr_conduction_joint_resistance(p, x[0], x[1], x[2], z[0], z[1], points, z, out);
+        judge("mdr_conduction_joint_resistance", status, points, out, POSITIVE);
+        fill(out);
+        status = mdr_conduction_joint(p, contact, &state, x[0], x[1], x[2], z[0], z[1], out);
+        judge("mdr_conduction_joint", status, 1, out, NOT_NEGATIVE);
+        fill(out);
         fill(heat);
         status = mdr_conduction_heat(p, contact, 1, &state, TAKE_ONE_OF(&w->in, MDR_HEAT_SLIDING, MDR_HEAT_SPINNING,
                 MDR_HEAT_MOVING), x[1], x[2], (mdr_friction_heat *)heat);

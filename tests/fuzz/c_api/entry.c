@@ -9,7 +9,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 static void (*const families[])(world *) = {
     fuzz_profiles, fuzz_media, fuzz_contacts, fuzz_states, fuzz_fields, fuzz_adhesion, fuzz_laws, fuzz_structures, fuzz_fits,
     fuzz_formulas, fuzz_inside, fuzz_friction, fuzz_shear, fuzz_time, fuzz_wide_fits, fuzz_lists, fuzz_gels,
-    fuzz_conduction, fuzz_rates, fuzz_wear
+    fuzz_conduction, fuzz_rates, fuzz_wear, fuzz_plastic
 };
 enum { FAMILIES = sizeof families / sizeof families[0], MOST_CALLS = 40 };
 
@@ -18,11 +18,14 @@ enum { FAMILIES = sizeof families / sizeof families[0], MOST_CALLS = 40 };
 static int family_of(input *in)
 {
     const int byte = take_byte(in);
-    enum { FIRST = 10, SECOND = 12, THIRD = 16, FIRST_BYTES = 240, SECOND_BYTES = 244, THIRD_BYTES = 255 };
+    enum { FIRST = 10, SECOND = 12, THIRD = 16, FOURTH = 20 };
+    enum { FIRST_BYTES = 240, SECOND_BYTES = 244, THIRD_BYTES = 255, FOURTH_BYTES = 192 };
     if (byte < FIRST_BYTES) return byte % FIRST;
     if (byte < SECOND_BYTES) return FIRST + byte % (SECOND - FIRST);
     if (byte < THIRD_BYTES) return SECOND + byte % (THIRD - SECOND);
-    return THIRD + take_byte(in) % (FAMILIES - THIRD);
+    const int next = take_byte(in);
+    if (next < FOURTH_BYTES) return THIRD + next % (FOURTH - THIRD);
+    return FOURTH + next % (FAMILIES - FOURTH);
 }
 
 static void free_all(world *w)

@@ -48,7 +48,7 @@ void fuzz_lists(world *w)
     int status, again = -1;
 
     memset(name, 'x', sizeof name), name[sizeof name - 1] = '\0';
-    name[length < (int)sizeof name ? length : (int)sizeof name - 1] = '\0';
+    if (length >= 0 && length < (int)sizeof name) name[length] = '\0';
     judge_status("mdr_code_of", mdr_code_of(model, name, &again));
     status = mdr_code_of(model, mdr_name_of(model), &again);
     judge_status("mdr_code_of", status);

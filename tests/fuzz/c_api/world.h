@@ -82,5 +82,6 @@ void fuzz_gels(world *w);
 void fuzz_conduction(world *w);
 void fuzz_rates(world *w);
 void fuzz_wear(world *w);
+void fuzz_plastic(world *w);
 
 #endif

@@ -650,10 +650,21 @@ def plastic_with_radius(law: Any) -> Numbers:
     return {"": law.with_radius(3.0).loading(0.01).force}
 
 
-@answer("PlasticLaw.buffer", "PlasticLaw.largest_depth", "PlasticLaw.tolerance", tolerance=1e-6)
+@answer("PlasticLaw.from_table", tolerance=1e-6)
+def plastic_table(law: Any) -> Numbers:
+    """The law of points of this one's first loading, of which the first is that of yield."""
+    depth = np.array([law.yield_depth, 0.005, 0.01, 0.016])
+    state = law.loading(depth)
+    table = type(law).from_table(depth, state.force, state.radius, state.residual_depth, law.modulus)
+    return {"": np.ravel(table.loading([1e-4, 0.012]))}
+
+
+@answer("PlasticLaw.buffer", "PlasticLaw.largest_depth", "PlasticLaw.tolerance", "PlasticLaw.largest_force",
+        "PlasticLaw.yield_depth", "PlasticLaw.yield_force", "PlasticLaw.first_yield", "PlasticLaw.radius",
+        "PlasticLaw.work_of_adhesion", tolerance=1e-6)  # fmt: skip
 def plastic_facts(law: Any) -> Numbers:
     sizes = law.largest_depth, law.largest_force, law.yield_depth, law.yield_force, law.modulus, law.work_of_adhesion
-    return {"": np.array([*sizes, law.tolerance, law.radius]), "buffer": law.buffer()}
+    return {"": np.array([*sizes, law.tolerance, law.radius, law.first_yield or 0.0]), "buffer": law.buffer()}
 
 
 # plastic models of first loading
@@ -667,7 +678,8 @@ def _loadings(model: Any) -> dict[str, Any]:
     return found
 
 
-@answer("Overload.at_radius", "Overload.at_depth", "Overload.at_force", "Overload.points", tolerance=1e-6)
+@answer("Overload.at_radius", "Overload.at_depth", "Overload.at_force", "Overload.points", "OverloadState.imprint",
+        tolerance=1e-6)  # fmt: skip
 def overload(rule: Any) -> Numbers:
     states = _loadings(rule)
     columns = {f"{given} {name}": getattr(state, name) for given, state in states.items() for name in ("depth", "radius", "force")}
@@ -675,11 +687,16 @@ def overload(rule: Any) -> Numbers:
     return {**columns, "imprint": states["depth"].imprint().residual_depth, "points": points.residual_depth}
 
 
-@answer("PressureCap.at_radius", "PressureCap.at_depth", "PressureCap.at_force", tolerance=1e-5)
+@answer("PressureCap.at_radius", "PressureCap.at_depth", "PressureCap.at_force", "CapState.pressure", "CapState.residual",
+        "CapState.imprint", tolerance=1e-5)  # fmt: skip
 def pressure_cap(cap: Any) -> Numbers:
     states = _loadings(cap)
     columns = {f"{given} {name}": getattr(state, name) for given, state in states.items() for name in ("depth", "radius", "force")}
     state = states["depth"]
+    left = state.imprint()
+    columns |= {
+        f"imprint {name}": getattr(left, name) for name in ("radius", "force", "residual_depth", "depth", "uniform", "hertz")
+    }
     return {**columns, "pressure": state.pressure([0.0, 0.03]), "residual": state.residual([0.0, 0.03])}
 
 

@@ -412,8 +412,8 @@ def _plastic_laws() -> list[Scene]:
 
     rows = ("plastic_steps", "plastic_loading", "plastic_facts")
     return [
-        Scene("plastic law", law(metal=flat, other=mdr.Elastic(3.0, 0.25)), (*rows, "plastic_with_radius")),
-        Scene("plastic law with hardening", law(metal=rising), rows),
+        Scene("plastic law", law(metal=flat, other=mdr.Elastic(3.0, 0.25)), (*rows, "plastic_with_radius", "plastic_table")),
+        Scene("plastic law with hardening", law(metal=rising), (*rows, "plastic_table")),
         Scene("plastic law with adhesion", law(metal=flat, work_of_adhesion=3e-8), rows),
     ]
 
@@ -436,7 +436,13 @@ def _plastic_models() -> list[Scene]:
             "pressure cap",
             mdr.plastic.PressureCap(mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(film, 0.02, base)), 0.015),
             ("pressure_cap",),
-            only=("hardness", "contact.indenter", "contact.medium.layers", "contact.medium.substrate.E"),
+            only=(
+                "hardness",
+                "contact.indenter",
+                "contact.medium.coating",
+                "contact.medium.thickness",
+                "contact.medium.substrate.E",
+            ),
         ),
     ]
 

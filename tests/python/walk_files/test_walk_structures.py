@@ -115,6 +115,12 @@ def _voxels() -> Any:
     return voxels.effective(np.array([1.2e-6]), np.array([0.8e-6]), 1.7e-6)
 
 
+def _yielding() -> Any:
+    metal, rest = mdr.plastic.Yielding(mdr.Elastic(2.1e11, 0.29), 1.1e9), mdr.Elastic(3.4e11, 0.23)
+    law = mdr.plastic.PlasticLaw(mdr.Paraboloid(1.1e-3), metal, 3e-6, other=rest, work_of_adhesion=0.3, tolerance=1e-8)
+    return [law.tolerance, law.work_of_adhesion, law.loading(np.array([9e-7, 2.1e-6])).force]
+
+
 MODELS = [getattr(_layout, name) for name in dir(_layout) if name.startswith("MODEL_")]
 SCENES = [
     Scene(
@@ -156,6 +162,7 @@ SCENES = [
     Scene("wear_options", "wear_history_new", 3, "wear", _worn, {"intervals": [20], "scheme": [_layout.WEAR_RINGS]}),
     Scene("law_options", "law_new", 2, "friction", _law, {"sliders": [12], "twist": [1]}),
     Scene("law_options", "law_new", 2, "strength", _strong, {}),
+    Scene("plastic_law_options", "plastic_law_new", 3, "ball", _yielding, {}),
 ]
 
 
@@ -249,6 +256,10 @@ _MADE_ELSEWHERE = {
     "law_segment",
     "law_interval",
     "fit_summary",
+    "imprint_facts",
+    "plastic_law_facts",
+    "overload_state",
+    "cap_state",
 }
 """Structures that the library fills."""
 _WALKED_BY_ARGUMENTS = {"conductor", "strength", "structure_options", "fit_parameter", "fit_problem"}
