@@ -415,7 +415,7 @@ MUTATIONS = [
     ("extensions/plastic/cap.f90", "discs(1)%values)/3.0_wp", "discs(1)%values)/1.0_wp", "test_plastic_models.py"),
     ("extensions/conduction/rough_law.f90", "exponent = 0.95_wp", "exponent = 1.0_wp", "test_conduction.py"),
     ("extensions/conduction/rough_law.f90", "lambda = sqrt(2.0_wp)*z", "lambda = z", "test_conduction.py"),
-    ("extensions/wear/past.f90", "call of%contact%at_depth(depth, state, error)", "call of%contact%at_depth(0.5_wp*depth, state, error)",
-     "test_wear.py"),
+    ("extensions/wear/past.f90", "call of%contact%at_depth(depth, state, error)",
+     "call of%contact%at_depth(0.5_wp*depth, state, error)", "test_wear.py"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""
