@@ -342,6 +342,7 @@ VIEWS = {
     "adhesion": lambda page: (page.example("afm_on_pdms"), page.tab("Adhesion")),
     "friction": lambda page: (page.example("tin_on_steel"), page.tab("Friction")),
     "wear": lambda page: (page.example("tin_on_steel"), page.tab("Wear")),
+    "imprint": lambda page: (page.example("aluminium_on_silicon"), page.tab("Imprint")),
     "time": lambda page: (page.example("creep_of_coating"), page.tab("Time")),
     "heat": lambda page: (page.example("heat_through_silica"), page.tab("Heat")),
     "file": lambda page: page.tab("File"),
@@ -396,7 +397,7 @@ def test_work_of_the_other_tab_ends_the_work_before(open_page):
 
 
 TABS = {"compare": "Models", "curve": "Curves", "stress": "Stress", "adhesion": "Adhesion", "friction": "Friction", "wear": "Wear"}
-TABS |= {"history": "Time", "conduction": "Heat"}
+TABS |= {"history": "Time", "conduction": "Heat", "imprint": "Imprint"}
 with (ROOT / "tests" / "data" / "examples.csv").open(encoding="utf-8") as file:
     PINNED = list(csv.DictReader(line for line in file if not line.startswith("#")))
 DESIGNS = sorted({row["problem"] for row in PINNED if row["command"] in TABS})

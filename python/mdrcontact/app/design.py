@@ -40,6 +40,7 @@ STUDIES = {
     "Adhesion": Shown(studies.adhesion, table="adhesion"),
     "Friction": Shown(studies.friction, {"loops": True}, "friction"),
     "Wear": Shown(studies.wear, table="wear"),
+    "Imprint": Shown(studies.imprint, table="imprint"),
     "Time": Shown(studies.history, table="history"),
     "Heat": Shown(studies.conduction, table="conduction"),
 }
