@@ -10,7 +10,7 @@ import numpy as np
 
 from .._units import ENERGY, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS
 from ..contact import Contact
-from ..panels import Figure, Label, Line, Panel, Rule, along
+from ..panels import Figure, Line, Panel, Rule, along
 from ..plastic import Imprint, Overload
 from ..problem import Problem, ProblemError
 from ..problem.compute import Control
@@ -52,12 +52,8 @@ def _unloading(found: ImprintResult) -> Iterator[Panel]:
     d, _, f, *_ = found.values("states")
     x, depth = along("indentation depth d", LENGTH, d, low=0.0)
     y, force = along("force F", FORCE, f)
-    left, full, most = (found.numbers[name].value for name in ("residual depth", "largest depth", "largest force"))
-    start = Rule(float(depth.of(left)), vertical=True, name="residual depth")
-    end = Label(float(depth.of(full)), float(force.of(most)), "largest load", "black")
-    yield Panel(
-        x, y._replace(low=None if f.min() < 0.0 else 0.0), (Line(depth.of(d), force.of(f)), start, end), "unloading, reloading"
-    )
+    start = Rule(float(depth.of(found.numbers["residual depth"].value)), vertical=True, name="residual depth")
+    yield Panel(x, y._replace(low=None if f.min() < 0.0 else 0.0), (Line(depth.of(d), force.of(f)), start), "unloading, reloading")
 
 
 def _shapes(found: ImprintResult) -> Iterator[Panel]:
