@@ -350,7 +350,8 @@ contains
 
         view = view_of(law)
         before = 0.0_wp
-        largest = mdrcontact_plastic_loss(view, ends(size(ends)))
+        ! the last panel may end beyond the law
+        largest = mdrcontact_plastic_loss(view, min(ends(size(ends)), view%highest))
         do i = 1, size(ends) - 1
             do k = 1, points
                 loss = mdrcontact_plastic_loss(view, min(ends(i) + x_gauss(k)*(ends(i + 1) - ends(i)), view%highest))
