@@ -17,15 +17,21 @@
 static int check_count;
 static int check_failures;
 
+/* Threads count, too. */
+static inline void check_add(int *count)
+{
+    __atomic_fetch_add(count, 1, __ATOMIC_RELAXED);
+}
+
 static inline void check_failed(const char *file, int line, const char *what)
 {
-    check_failures++;
+    check_add(&check_failures);
     fprintf(stderr, "%s:%d: %s: ", file, line, what);
 }
 
 static inline void check_true_at(const char *file, int line, const char *what, int condition)
 {
-    check_count++;
+    check_add(&check_count);
     if (!condition) {
         check_failed(file, line, what);
         fprintf(stderr, "is not true\n");
@@ -34,7 +40,7 @@ static inline void check_true_at(const char *file, int line, const char *what, i
 
 static inline void check_int_at(const char *file, int line, const char *what, int found, int expected)
 {
-    check_count++;
+    check_add(&check_count);
     if (found != expected) {
         check_failed(file, line, what);
         fprintf(stderr, "%d, expected %d\n", found, expected);
@@ -43,7 +49,7 @@ static inline void check_int_at(const char *file, int line, const char *what, in
 
 static inline void check_text_at(const char *file, int line, const char *what, const char *found, const char *expected)
 {
-    check_count++;
+    check_add(&check_count);
     if (found == NULL || strcmp(found, expected) != 0) {
         check_failed(file, line, what);
         fprintf(stderr, "\"%s\", expected \"%s\"\n", found ? found : "NULL", expected);
@@ -53,7 +59,7 @@ static inline void check_text_at(const char *file, int line, const char *what, c
 /* |found - expected| <= tolerance |expected|; equal infinities are equal, NaN never is. */
 static inline void check_close_at(const char *file, int line, const char *what, double found, double expected, double tolerance)
 {
-    check_count++;
+    check_add(&check_count);
     if (found == expected) return;
     if (!(fabs(found - expected) <= tolerance * fabs(expected)) || isinf(expected)) {
         check_failed(file, line, what);
@@ -63,7 +69,7 @@ static inline void check_close_at(const char *file, int line, const char *what, 
 
 static inline void check_success_at(const char *file, int line, const char *what, int status)
 {
-    check_count++;
+    check_add(&check_count);
     if (status != MDR_SUCCESS) {
         check_failed(file, line, what);
         fprintf(stderr, "%s: %s\n", mdr_name_of(status), mdr_last_error());
@@ -74,7 +80,7 @@ static inline void check_success_at(const char *file, int line, const char *what
 static inline void check_status_at(const char *file, int line, const char *what, int status, int expected, const char *part)
 {
     const char *text = mdr_last_error();
-    check_count++;
+    check_add(&check_count);
     if (status != expected) {
         check_failed(file, line, what);
         fprintf(stderr, "%s, expected %s\n", mdr_name_of(status), mdr_name_of(expected));
