@@ -18,7 +18,6 @@ NEVER = {
     ("the file", "title"): "words for the reader",
     ("the file", "indenter"): "cannot be left out, and its keys are walked",
     ("the file", "medium"): "cannot be left out, and its keys are walked",
-    ("the file", "compute"): "cannot be left out where it is used, and its keys are walked",
     ("the file", "conduction"): "cannot be left out where it is used, and its keys are walked",
     ("the file", "history"): "cannot be left out where it is used, and its keys are walked",
     ("the file", "wear"): "cannot be left out where it is used, and its keys are walked",

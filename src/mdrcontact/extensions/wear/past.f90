@@ -230,7 +230,8 @@ contains
 
         associate (largest => of%contact%equilibrium%profile%largest_radius)
             valid = min(disc%radius, disc%depth, disc%force, disc%response) > 0.0_wp .and. disc%growth >= 0.0_wp .and. &
-                    disc%radius <= largest .and. disc%extent >= disc%radius .and. 0.5_wp*disc%extent <= largest
+                    disc%radius*(1.0_wp - rounding) <= largest .and. disc%extent >= disc%radius*(1.0_wp - rounding) .and. &
+                    0.5_wp*disc%extent <= largest
         end associate
         if (.not. of%has_rings) valid = valid .and. .not. (disc%extent > disc%radius .or. abs(disc%pressure(hats%n)) > 0.0_wp &
                                                            .or. abs(disc%load(hats%n)) > 0.0_wp)
