@@ -9,6 +9,7 @@ import io
 import json
 import os
 import random
+import time
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +17,7 @@ import pytest
 from conftest import ROOT
 
 import mdrcontact as mdr
-from mdrcontact import problem
+from mdrcontact import problem, studies
 from mdrcontact._units import parse
 from mdrcontact.cli import main
 from mdrcontact.instruments import schema as measured
@@ -31,6 +32,8 @@ from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
 from selenium.webdriver.common.keys import Keys  # noqa: E402
 from selenium.webdriver.support.ui import Select  # noqa: E402
+
+from mdrcontact.app import design  # noqa: E402
 
 pytestmark = [
     pytest.mark.slow,
@@ -366,6 +369,22 @@ def test_everyone_can_use_it(open_page, driver, name):
     check_access(driver)
 
 
+@pytest.fixture
+def endless_stress(monkeypatch):
+    """Let the first computation of stresses end by a cancel only: a fast machine is ready before the click."""
+    begun = []
+
+    def stress(problem, progress, **options):
+        begun.append(problem)
+        while len(begun) == 1:
+            progress.step(1, 2, "states")
+            time.sleep(0.01)
+        return studies.stress(problem, progress=progress, **options)
+
+    monkeypatch.setitem(design.STUDIES, "Stress", design.STUDIES["Stress"]._replace(study=stress))
+
+
+@pytest.mark.usefixtures("endless_stress")
 def test_long_work_is_cancelled(open_page):
     page = open_page(text_of("tin_on_steel"))
     page.idle()
@@ -380,6 +399,7 @@ def test_long_work_is_cancelled(open_page):
     assert page.said == "Stress computed" and not page.alert
 
 
+@pytest.mark.usefixtures("endless_stress")
 def test_work_of_the_other_tab_ends_the_work_before(open_page):
     page = open_page(text_of("tin_on_steel"))
     page.tab("Measure")
