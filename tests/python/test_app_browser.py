@@ -120,7 +120,7 @@ class Keyboard:
 
     def go(self, dom_id):
         """Press Tab until a component has the focus."""
-        for _ in range(200):
+        for _ in range(500):
             if self.focus.get_attribute("id") == dom_id:
                 return
             self.send(Keys.TAB)
