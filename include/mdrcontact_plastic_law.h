@@ -30,7 +30,7 @@ typedef struct mdr_plastic_head {
     double elastic; /**< Place of the buffer of the elastic law. */
     double yield;   /**< Depth of first yield [length]. */
     double highest; /**< Largest depth; with adhesion that of the contact without it [length]. */
-    double scale;   /**< Beyond yield y = scale d + offset, whose exponent and leading bits number the panel. */
+    double scale;   /**< Beyond yield y = scale (d - yield) + offset, whose exponent and leading bits number the panel. */
     double offset;  /**< See scale. */
     double bits;    /**< Leading bits of y that number a panel. */
     double panels;  /**< Number of panels. */
@@ -105,7 +105,7 @@ MDR_INLINE size_t mdr_plastic_panel(const mdr_plastic_view *view, double d, doub
 {
     if (!view->edges) {
         *rate = view->virgin.scale;
-        return (size_t)mdr_law_panel(&view->virgin, view->virgin.scale * d + view->virgin.offset, t);
+        return (size_t)mdr_law_panel(&view->virgin, view->virgin.scale * (d - view->yield) + view->virgin.offset, t);
     }
     int low = 0, high = view->panels - 1;
     while (low < high) {

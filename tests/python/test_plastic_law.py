@@ -168,6 +168,21 @@ def test_continuous_in_value_and_at_yield_in_slope():
     assert np.all(law.try_(memory, left - 1e-9 * d).force == 0.0)
 
 
+@pytest.mark.parametrize("beyond", [1e-14, 1e-12, 1e-9, 1e-6, 1e-3, 0.02, 0.1, 0.3])
+def test_laws_that_end_shortly_beyond_yield(beyond):
+    for nu in np.linspace(0.0, 0.49, 12):
+        metal = Yielding(mdr.Elastic(E, nu), yield_stress=SMALL)
+        whole = PlasticLaw(mdr.Paraboloid(R), metal, 100.0 * SMALL**2)
+        law = PlasticLaw(mdr.Paraboloid(R), metal, whole.yield_depth * (1.0 + beyond))
+        for made, scale in (law, 1.0), (law.with_radius(0.37 * R), 0.37):
+            last = made.largest_depth
+            places = np.array([last, np.nextafter(last, 0.0), np.nextafter(made.yield_depth, 1.0)])
+            expected = np.asarray(whole.loading(np.minimum(places / scale, whole.largest_depth)).force) * scale**2
+            memory = made.contacts(3)
+            np.testing.assert_allclose(made.advance(memory, places).force, expected, rtol=4e-9)
+            np.testing.assert_allclose(made.advance(memory, places * (1.0 - 1e-13)).force, expected, rtol=4e-9)
+
+
 def test_stiffness_is_the_slope_of_the_force():
     law, _ = law_of(0.3, 100.0)
     d = np.geomspace(1.5 * law.yield_depth, 0.99 * law.largest_depth, 40)

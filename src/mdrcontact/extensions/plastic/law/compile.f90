@@ -46,7 +46,7 @@ module mdrcontact_plastic_law_compile
 
     !> The panels between yield and the largest depth.
     type :: panels_t
-        !> where the bits of y number them
+        !> of d - loading%first, where the bits of y number them
         type(interval_t) :: interval
         logical :: by_bits = .true.
         !> their ends, one more than panels [length]
@@ -112,14 +112,14 @@ contains
 
         margin = first_panel*loading%first/(highest - loading%first)
         do bits = fewest_bits, most_bits
-            panels%interval = new_interval(0.0_wp, 1.0_wp, .false., loading%first, highest, margin, bits)
+            panels%interval = new_interval(0.0_wp, 1.0_wp, .false., 0.0_wp, highest - loading%first, margin, bits)
             n = panel_count(panels%interval)
             if (allocated(panels%c)) deallocate (panels%c, panels%ends)
             allocate (panels%c(row, columns, n), panels%ends(n + 1))
             do i = 1, n
                 y = panel_ends(panels%interval, i)
-                panels%ends(i) = u_of_y(panels%interval, y(1))
-                panels%ends(i + 1) = u_of_y(panels%interval, y(2))
+                panels%ends(i) = loading%first + u_of_y(panels%interval, y(1))
+                panels%ends(i + 1) = loading%first + u_of_y(panels%interval, y(2))
             end do
             panels%error = 0.0_wp
             do i = 1, n
@@ -372,6 +372,7 @@ contains
         type(plastic_law_t), intent(inout) :: law
         !> > 0
         real(wp), intent(in) :: factor
+        real(wp) :: width_before
         integer :: i, n, rows, energy, ends, first
 
         call scale_elastic(law%elastic, factor)
@@ -381,8 +382,10 @@ contains
             ends = nint(head(10))
             rows = nint(head(11))
             energy = nint(head(12))
+            width_before = head(5) - head(4)
             head(4:5) = factor*head(4:5)
-            head(6) = head(6)/factor
+            ! not by the factor, so that rounding leaves the largest depth in the last panel
+            if (n > 0) head(6) = head(6)*width_before/(head(5) - head(4))
             head(16) = factor*head(16)
         end associate
         call pack_table(law%elastic, law%buffer(first + 1:first + packed_size(law%elastic)))
