@@ -31,7 +31,7 @@ typedef struct mdr_imprint mdr_imprint;
  *  @param depth           depth at the largest load, from initial contact [length]
  *  @param out             receives the handle
  *  @return also MDR_EINVALID if the pressure would fall towards the edge by more than Hertz's, or rise so much that the line load
- *          does; MDR_EDOMAIN if the contact would end in a ring, as on very stiff layers
+ *          does; MDR_EDOMAIN if the contact would end in a ring, as on very stiff layers; MDR_ENOCONVERGENCE
  *  @code
  *  mdr_imprint *left = NULL;
  *  status = mdr_imprint_new(medium, 1e-6, 0.018, 40e-9, 140e-9, &left);
@@ -47,7 +47,7 @@ int mdr_imprint_new(const mdr_medium *medium, double radius, double force, doubl
  *  @param hertz    Hertz's part of the pressure, greater than -(2/pi) uniform [modulus]
  *  @param depth    depth at the largest load [length]; 0: depths count from there
  *  @param out      receives the handle
- *  @return also MDR_EDOMAIN if the contact would end in a ring
+ *  @return also MDR_EDOMAIN if the contact would end in a ring; MDR_ENOCONVERGENCE
  *  @code
  *  mdr_imprint *left = NULL;
  *  status = mdr_imprint_two_terms(medium, 1e-6, 5e9, 2e9, 0.0, &left);
@@ -65,7 +65,7 @@ int mdr_imprint_two_terms(const mdr_medium *medium, double radius, double unifor
  *  @param depth   depth at the largest load [length]; 0: depths count from there
  *  @param out     receives the handle
  *  @return also MDR_EINVALID if the polynomial misses the largest pressure by more than 5 %, MDR_EDOMAIN if the contact would end in
- *          a ring
+ *          a ring; MDR_ENOCONVERGENCE
  *  @code
  *  const double r[5] = {0.0, 0.25e-6, 0.5e-6, 0.75e-6, 1e-6};
  *  const double p[5] = {7e9, 6.94e9, 6.73e9, 6.32e9, 5e9};

@@ -13,7 +13,7 @@ import pytest
 from conftest import ROOT
 
 import mdrcontact as mdr
-from mdrcontact.errors import DomainError, InvalidArgumentError, PlasticityWarning, UnreachableError
+from mdrcontact.errors import DomainError, InvalidArgumentError, NoConvergenceError, PlasticityWarning, UnreachableError
 from mdrcontact.plastic import Imprint, ImprintProfile
 
 A = 0.9
@@ -343,6 +343,15 @@ def test_a_residual_depth_a_little_too_small():
 def test_bad_records(arguments, words):
     with pytest.raises(InvalidArgumentError, match=words):
         Imprint(HALF, *arguments)
+
+
+@pytest.mark.parametrize(("radius", "uniform"), [(3.7e-253, 1.0), (1e-160, 1.0), (1e150, 1.0), (1.0, 1e-320), (1.0, 1e308)])
+def test_forces_and_works_beyond_double_precision(radius, uniform):
+    with pytest.raises(NoConvergenceError, match="radius = .*: force or work at this pressure exceeds the range"):
+        Imprint.from_two_terms(HALF, radius, uniform, 0.0)
+    r = radius * np.linspace(0.0, 1.0, 5)
+    with pytest.raises(NoConvergenceError, match="radius = .*: force or work at this pressure exceeds the range"):
+        Imprint.from_pressure(HALF, r, np.full(5, uniform))
 
 
 def test_bad_pressures():

@@ -82,6 +82,8 @@ class Imprint(Value):
         A number is outside its range, the medium has an effective modulus, or no pressure of two terms has these numbers.
     DomainError
         The contact would end in a ring.
+    NoConvergenceError
+        Force or work exceeds the range of double precision.
 
     Notes
     -----
@@ -216,6 +218,8 @@ class Imprint(Value):
             A number is outside its range, or the medium has an effective modulus.
         DomainError
             The contact would end in a ring.
+        NoConvergenceError
+            Force or work exceeds the range of double precision.
 
         Examples
         --------
@@ -265,6 +269,8 @@ class Imprint(Value):
             the medium has an effective modulus.
         DomainError
             The contact would end in a ring.
+        NoConvergenceError
+            Force or work exceeds the range of double precision.
 
         Examples
         --------

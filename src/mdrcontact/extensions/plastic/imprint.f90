@@ -248,8 +248,20 @@ contains
             call new_imprint_profile(self%profile, self%radius, loads, error, values)
         end if
         self%residual_depth = self%depth - axis
+        call check_numbers(self, error)
         call check_rise(self, error)
     end subroutine finish
+
+    !> Raises if force or work are not normal numbers: of tiny or huge radii or pressures.
+    pure subroutine check_numbers(self, error)
+        type(imprint_t), intent(in) :: self
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (self%force >= tiny(1.0_wp) .and. self%force <= huge(1.0_wp) .and. &
+            self%recovered_work >= tiny(1.0_wp) .and. self%recovered_work <= huge(1.0_wp)) return
+        call raise(error, error_no_convergence, " = "//to_text(self%radius)//": force or work at this pressure exceeds the "// &
+                   "range of double precision. Choose other units", "radius")
+    end subroutine check_numbers
 
     !> Raises where the profile falls: contact would not end on one disc.
     pure subroutine check_rise(self, error)
