@@ -282,6 +282,23 @@ def test_truncated_hertz(a, hardness, x, load):
     assert truncated_hertz(x, a, 2.0 * a / math.pi, hardness) == pytest.approx(load, rel=1e-12)
 
 
+@pytest.mark.parametrize("unit", [1.0, 1e-9, 1e-30])
+def test_depths_are_met_in_any_unit_of_length(unit):
+    contact = mdr.Contact(mdr.Paraboloid(unit), METAL)
+    for model in PressureCap(contact, 5e-2), Overload(contact, [2e-2]):
+        for part in 0.002, 0.0031:
+            assert model.at_depth(part * unit).depth == pytest.approx(part * unit, rel=1e-13)
+
+
+@pytest.mark.parametrize("at", ["at_depth", "at_force"])
+def test_caps_do_not_reach_too_small_numbers(at):
+    for tip in (mdr.Sphere(20e-6), mdr.Paraboloid(20e-6)):
+        cap = PressureCap(mdr.Contact(tip, mdr.Homogeneous(mdr.Elastic(200e9, 0.3))), 1.4e9)
+        with pytest.raises(mdr.errors.UnreachableError, match="where the medium begins"):
+            getattr(cap, at)(1e-300)
+    assert cap.at_force(1e60).force == pytest.approx(1e60, rel=1e-9)
+
+
 def test_truncated_hertz_is_hertz_below_the_hardness():
     x = np.array([0.0, 0.4, 1.0])
     for hardness in (1.0, 5.0):

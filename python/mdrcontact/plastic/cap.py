@@ -204,6 +204,8 @@ class PressureCap(Value):
             A depth is not greater than 0.
         DomainError
             A depth is beyond the end of the indenter, or the contact is not a single disc.
+        UnreachableError
+            A depth is so small that the elastic contact does not reach it.
         """
         return self._states("depth", _layout.DEPTH, depth)
 
@@ -226,6 +228,8 @@ class PressureCap(Value):
             A force is not greater than 0.
         DomainError
             A force exceeds what the hardness supports up to the end of the indenter, or the contact is not a single disc.
+        UnreachableError
+            A force is so small that the elastic contact does not reach it.
         """
         return self._states("force", _layout.FORCE, force)
 

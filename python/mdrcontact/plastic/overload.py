@@ -201,6 +201,8 @@ class Overload(Value):
             A depth is not greater than 0, or the indenter is blunter than a paraboloid or sharper than a cone there.
         DomainError
             The rule does not hold at a depth.
+        UnreachableError
+            A depth is one that the elastic contact does not reach.
         """
         return self._states("depth", _layout.DEPTH, depth)
 
@@ -223,6 +225,8 @@ class Overload(Value):
             A force is not greater than 0, or the indenter is blunter than a paraboloid or sharper than a cone there.
         DomainError
             The rule does not hold at a force.
+        UnreachableError
+            A force is one that the elastic contact does not reach.
         """
         return self._states("force", _layout.FORCE, force)
 

@@ -6,18 +6,15 @@
 !> is left behind by u_p = d - f - S p >= 0. At the edge p = 0 and the last row is the half hat inside it.
 module mdrcontact_plastic_cap
     use, intrinsic :: iso_c_binding, only: c_double
-    use mdrcontact_codes, only: by_depth => depth, by_force => force, by_radius => radius
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_code, check_made, check_memory, check_not_negative, check_positive, check_within, &
+    use mdrcontact_error, only: check_made, check_memory, check_not_negative, check_positive, check_within, &
                                 error_domain, error_invalid, error_no_convergence, error_t, raise, raise_at, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_lapack, only: dgemv, dgesv
     use mdrcontact_medium_hats, only: find_heights, hats_t, line_compliance, new_hats
     use mdrcontact_medium_solver, only: check_springs
-    use mdrcontact_numerics_roots, only: find_root
-    use mdrcontact_plastic_overload, only: bracket
-    use mdrcontact_numerics_scalar_function, only: scalar_function_t
+    use mdrcontact_plastic_radius_search, only: by_depth, by_radius, check_given, find_radius, miss_t
     implicit none (type, external)
     private
     public :: cap_t, cap_state_t, new_cap, truncated_hertz
@@ -72,14 +69,11 @@ module mdrcontact_plastic_cap
         real(wp) :: values(4) = 0.0_wp
     end type disc_t
 
-    !> What a state misses of a depth or a force, over it, at a radius.
-    type, extends(scalar_function_t) :: miss_t
+    type, extends(miss_t) :: cap_miss_t
         type(cap_t), pointer :: cap => null()
-        logical :: is_depth = .true.
-        real(wp) :: wanted = 0.0_wp
     contains
-        procedure :: value => missed
-    end type miss_t
+        procedure :: depth_and_force
+    end type cap_miss_t
 
 contains
 
@@ -145,10 +139,7 @@ contains
         real(wp) :: a
 
         call check_made(error, "cap", self%is_made)
-        call check_code(error, "given", given, [by_radius, by_depth, by_force])
-        if (.not. allocated(error) .and. given == by_radius) call check_positive(error, "radius", value)
-        if (.not. allocated(error) .and. given == by_depth) call check_positive(error, "depth", value)
-        if (.not. allocated(error) .and. given == by_force) call check_positive(error, "force", value)
+        call check_given(given, value, error)
         if (allocated(error)) return
         if (given == by_radius .and. value > self%contact%equilibrium%last_radius) then
             call raise(error, error_domain, " = "//to_text(value)//": indenter and medium are defined up to "// &
@@ -246,27 +237,19 @@ contains
         real(wp), intent(in) :: wanted
         real(wp), intent(out) :: a
         type(error_t), allocatable, intent(inout) :: error
-        type(miss_t) :: miss
-        real(wp) :: low, high, last
-        logical :: found
+        type(cap_miss_t) :: miss
+        real(wp) :: guess
 
         a = 0.0_wp
-        last = self%contact%equilibrium%last_radius
+        call start_of(self%contact, is_depth, wanted, guess, error)
+        if (allocated(error)) return
         miss%cap => self
         miss%is_depth = is_depth
         miss%wanted = wanted
-        call start_of(self%contact, is_depth, wanted, high, error)
-        if (allocated(error)) return
-        call bracket(miss, low, high, last, found)
-        if (allocated(miss%error)) then
-            call move_alloc(miss%error, error)
-        else if (.not. found) then
-            call raise(error, error_domain, " = "//to_text(wanted)//": the hardness supports less up to the radius "// &
-                       to_text(last)//", where indenter or medium end. Reduce it", trim(merge("depth", "force", is_depth)))
-        end if
-        if (allocated(error)) return
-        a = high
-        if (high > low) call find_root(miss, low, high, a, error)
+        associate (last => self%contact%equilibrium%last_radius)
+            call find_radius(miss, guess, last, "the hardness supports less up to the radius "//to_text(last)// &
+                             ", where indenter or medium end", a, error)
+        end associate
     end subroutine search
 
     !> A radius at which a search may begin: the elastic one, or where the elastic contact does not reach so far, the largest one.
@@ -276,36 +259,32 @@ contains
         real(wp), intent(in) :: wanted
         real(wp), intent(out) :: a
         type(error_t), allocatable, intent(inout) :: error
-        type(contact_state_t) :: state
-        type(error_t), allocatable :: beyond
+        type(contact_state_t) :: state, last
+        type(error_t), allocatable :: missing, failed
 
         if (is_depth) then
-            call contact%at_depth(wanted, state, beyond)
+            call contact%at_depth(wanted, state, missing)
         else
-            call contact%at_force(wanted, state, beyond)
+            call contact%at_force(wanted, state, missing)
         end if
         a = state%radius
-        if (.not. allocated(beyond)) return
+        if (.not. allocated(missing)) return
         a = contact%equilibrium%last_radius
-        if (a >= 0.5_wp*huge(a)) call move_alloc(beyond, error)
+        call contact%at_radius(a, last, failed)
+        if (allocated(failed) .or. merge(last%depth, last%force, is_depth) >= wanted) call move_alloc(missing, error)
     end subroutine start_of
 
-    function missed(self, x) result(y)
-        class(miss_t), intent(inout) :: self
-        !> radius [length]
-        real(wp), intent(in) :: x
-        real(wp) :: y
+    subroutine depth_and_force(self, radius, depth, force, error)
+        class(cap_miss_t), intent(in) :: self
+        real(wp), intent(in) :: radius
+        real(wp), intent(out) :: depth, force
+        type(error_t), allocatable, intent(out) :: error
         type(cap_state_t) :: state
-        type(error_t), allocatable :: error
 
-        y = 0.0_wp
-        call state_at(self%cap, x, state, error)
-        if (allocated(error)) then
-            call move_alloc(error, self%error)
-            return
-        end if
-        y = merge(state%depth, state%force, self%is_depth)/self%wanted - 1.0_wp
-    end function missed
+        call state_at(self%cap, radius, state, error)
+        depth = state%depth
+        force = state%force
+    end subroutine depth_and_force
 
     !> Pressure, depth and residual displacement of a contact radius on one disc.
     subroutine press(self, hats, a, disc, error)

@@ -5,23 +5,22 @@
 module mdrcontact_plastic_overload
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_body_layers, only: layers_t
-    use mdrcontact_codes, only: by_depth => depth, by_force => force, by_radius => radius, von_mises
+    use mdrcontact_codes, only: von_mises
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_code, check_made, check_positive, count_text, error_domain, error_invalid, error_t, raise, &
+    use mdrcontact_error, only: check_made, check_positive, count_text, error_domain, error_invalid, error_t, raise, &
                                 raise_at, to_text
     use mdrcontact_inside, only: layers_of
     use mdrcontact_inside_critical, only: largest_of, new_stressed
     use mdrcontact_inside_largest, only: maximum_t, stressed_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_medium_solver, only: check_springs
-    use mdrcontact_numerics_roots, only: find_root
-    use mdrcontact_numerics_scalar_function, only: scalar_function_t
+    use mdrcontact_plastic_radius_search, only: by_depth, by_radius, check_given, find_radius, miss_t
     use mdrcontact_plastic_virgin, only: largest_load, new_virgin, virgin_t
     implicit none (type, external)
     private
-    public :: bracket, overload_t, overload_state_t, new_overload
+    public :: overload_t, overload_state_t, new_overload
 
     !> Thicknesses of a film that the contact radius may have, and up to which the rule is as good as stated first.
     real(wp), parameter :: widest = 2.0_wp, narrow = 1.0_wp
@@ -36,9 +35,6 @@ module mdrcontact_plastic_overload
     real(wp), parameter :: exponents(2) = [1.0_wp, 2.05_wp], rounding = 1.0e-9_wp
     !> Relative step by which the elastic mean pressure is followed, and its fall that is a rounding error.
     real(wp), parameter :: step = 1.0e-3_wp, level = 1.0e-7_wp
-    !> A search for a radius begins at the elastic one and widens by this.
-    real(wp), parameter :: widening = 1.3_wp
-    integer, parameter :: most_widenings = 60
 
     !> Yield stresses below an elastic contact. It never changes.
     type :: overload_t
@@ -69,14 +65,11 @@ module mdrcontact_plastic_overload
         real(c_double) :: force_error = 0.0_c_double, depth_error = 0.0_c_double
     end type overload_state_t
 
-    !> What a state misses of a depth or a force, over it, at a radius.
-    type, extends(scalar_function_t) :: miss_t
+    type, extends(miss_t) :: overload_miss_t
         type(overload_t), pointer :: rule => null()
-        logical :: is_depth = .true.
-        real(wp) :: wanted = 0.0_wp
     contains
-        procedure :: value => missed
-    end type miss_t
+        procedure :: depth_and_force
+    end type overload_miss_t
 
 contains
 
@@ -132,10 +125,7 @@ contains
         real(wp) :: radius
 
         call check_made(error, "rule", self%is_made)
-        call check_code(error, "given", given, [by_radius, by_depth, by_force])
-        if (.not. allocated(error) .and. given == by_radius) call check_positive(error, "radius", value)
-        if (.not. allocated(error) .and. given == by_depth) call check_positive(error, "depth", value)
-        if (.not. allocated(error) .and. given == by_force) call check_positive(error, "force", value)
+        call check_given(given, value, error)
         if (allocated(error)) return
         radius = value
         if (given /= by_radius) call search(self, given == by_depth, value, radius, error)
@@ -204,11 +194,10 @@ contains
         real(wp), intent(in) :: wanted
         real(wp), intent(out) :: radius
         type(error_t), allocatable, intent(out) :: error
-        type(miss_t) :: miss
+        type(overload_miss_t) :: miss
         type(contact_state_t) :: elastic
-        real(wp) :: low, high, last
-        logical :: found
 
+        radius = 0.0_wp
         if (is_depth) then
             call self%contact%at_depth(wanted, elastic, error)
         else
@@ -218,64 +207,24 @@ contains
         miss%rule => self
         miss%is_depth = is_depth
         miss%wanted = wanted
-        high = elastic%radius
-        last = self%contact%equilibrium%last_radius
-        call bracket(miss, low, high, last, found)
-        if (allocated(miss%error)) then
-            call move_alloc(miss%error, error)
-        else if (.not. found) then
-            call raise(error, error_domain, " = "//to_text(wanted)//": indenter and medium are defined up to the radius "// &
-                       to_text(last)//". Reduce it", trim(merge("depth", "force", is_depth)))
-        end if
-        if (allocated(error)) return
-        radius = high
-        if (high > low) call find_root(miss, low, high, radius, error)
+        associate (last => self%contact%equilibrium%last_radius)
+            call find_radius(miss, elastic%radius, last, "indenter and medium are defined up to the radius "//to_text(last), &
+                             radius, error)
+        end associate
     end subroutine search
 
-    !> Radii between which a function that grows with the radius changes its sign.
-    subroutine bracket(miss, low, high, last, found)
-        class(scalar_function_t), intent(inout) :: miss
-        !> on return f(low) <= 0 <= f(high); on entry a guess of the latter
-        real(wp), intent(out) :: low
-        real(wp), intent(inout) :: high
-        !> the largest radius
-        real(wp), intent(in) :: last
-        logical, intent(out) :: found
-        real(wp) :: value
-        integer :: i
-
-        do i = 1, most_widenings
-            value = miss%value(high)
-            if (value <= 0.0_wp .or. allocated(miss%error)) exit
-            high = high/widening
-        end do
-        low = high
-        do i = 1, most_widenings
-            if (value >= 0.0_wp .or. allocated(miss%error) .or. high >= last) exit
-            low = high
-            high = min(widening*high, last)
-            value = miss%value(high)
-        end do
-        found = value >= 0.0_wp
-    end subroutine bracket
-
-    function missed(self, x) result(y)
-        class(miss_t), intent(inout) :: self
-        !> radius [length]
-        real(wp), intent(in) :: x
-        real(wp) :: y
+    subroutine depth_and_force(self, radius, depth, force, error)
+        class(overload_miss_t), intent(in) :: self
+        real(wp), intent(in) :: radius
+        real(wp), intent(out) :: depth, force
+        type(error_t), allocatable, intent(out) :: error
         type(overload_state_t) :: state
         type(contact_state_t) :: elastic
-        type(error_t), allocatable :: error
 
-        y = 0.0_wp
-        call self%rule%evaluate(x, state, elastic, error)
-        if (allocated(error)) then
-            call move_alloc(error, self%error)
-            return
-        end if
-        y = merge(state%depth, state%force, self%is_depth)/self%wanted - 1.0_wp
-    end function missed
+        call self%rule%evaluate(radius, state, elastic, error)
+        depth = state%depth
+        force = state%force
+    end subroutine depth_and_force
 
     !> Raises where the rule was not tested: for other profiles, larger loads and radii, and where the elastic mean pressure falls.
     subroutine check_profile(self, state, elastic, error)
