@@ -290,6 +290,11 @@ def test_depths_are_met_in_any_unit_of_length(unit):
             assert model.at_depth(part * unit).depth == pytest.approx(part * unit, rel=1e-13)
 
 
+@pytest.mark.parametrize("a", [1e-300, 1e290])
+def test_truncated_hertz_of_any_size(a):
+    assert truncated_hertz(0.4 * a, a, 2.0 / math.pi, 0.5) == pytest.approx(0.786624 * a, rel=1e-6)
+
+
 @pytest.mark.parametrize("at", ["at_depth", "at_force"])
 def test_caps_do_not_reach_too_small_numbers(at):
     for tip in (mdr.Sphere(20e-6), mdr.Paraboloid(20e-6)):
@@ -297,6 +302,12 @@ def test_caps_do_not_reach_too_small_numbers(at):
         with pytest.raises(mdr.errors.UnreachableError, match="where the medium begins"):
             getattr(cap, at)(1e-300)
     assert cap.at_force(1e60).force == pytest.approx(1e60, rel=1e-9)
+
+
+def test_caps_outside_double_precision_raise():
+    cap = PressureCap(mdr.Contact(mdr.Paraboloid(20e-6), mdr.Homogeneous(mdr.Elastic(200e9, 0.3))), 1.4e9)
+    with pytest.raises(mdr.errors.NoConvergenceError, match=r"^radius = 1e\+100: depth, force or work under the cap"):
+        cap.at_radius(1e100)
 
 
 def test_truncated_hertz_is_hertz_below_the_hardness():

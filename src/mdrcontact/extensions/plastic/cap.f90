@@ -14,6 +14,7 @@ module mdrcontact_plastic_cap
     use mdrcontact_lapack, only: dgemv, dgesv
     use mdrcontact_medium_hats, only: find_heights, hats_t, line_compliance, new_hats
     use mdrcontact_medium_solver, only: check_springs
+    use mdrcontact_nonfinite, only: is_finite
     use mdrcontact_plastic_radius_search, only: by_depth, by_radius, check_given, find_radius, miss_t
     implicit none (type, external)
     private
@@ -316,18 +317,21 @@ contains
             if (.not. any(wrong)) exit
             call exchange(wrong, fewest, tries, capped)
         end do
-        if (any(wrong)) then
+        disc%residual = merge(max(-gap/areas, 0.0_wp), 0.0_wp, capped)
+        disc%values(2) = dot_product(areas, disc%pressure)
+        disc%values(3) = disc%residual(0)
+        ! half of int p S p dA
+        disc%values(4) = 0.5_wp*dot_product(disc%pressure, gap - heights + areas*disc%values(1))
+        if (.not. all(is_finite(disc%values))) then
+            call raise(error, error_no_convergence, "radius = "//to_text(a)//": depth, force or work under the cap exceeds the "// &
+                       "range of double precision. Choose other units")
+        else if (any(wrong)) then
             call raise(error, error_no_convergence, "the capped pressure at contact radius "//to_text(a)//" was not found")
         else if (any(disc%pressure(:n - 2) < least_pressure*maxval(disc%pressure)) .or. &
                  disc%pressure(n - 1) < swing*maxval(disc%pressure)) then
             call raise(error, error_domain, "radius = "//to_text(a)//": the contact under the cap is not a single disc there, "// &
                        "as on stiff films. Reduce the load")
         end if
-        disc%residual = merge(max(-gap/areas, 0.0_wp), 0.0_wp, capped)
-        disc%values(2) = dot_product(areas, disc%pressure)
-        disc%values(3) = disc%residual(0)
-        ! half of int p S p dA
-        disc%values(4) = 0.5_wp*dot_product(disc%pressure, gap - heights + areas*disc%values(1))
     end subroutine press
 
     !> Hats that are wrong change; all together as long as their number falls, else the outermost one alone.
@@ -404,10 +408,10 @@ contains
                 call raise_at(error, i)
                 return
             end if
-            rest = (a - x(i))*(a + x(i))
-            square = rest - (a*min(hardness/largest, 1.0_wp))**2
-            loads(i) = half_pi*largest/a*rest
-            if (square > 0.0_wp) loads(i) = hardness*sqrt(square) + largest/a*rest*acos(sqrt(min(square/rest, 1.0_wp)))
+            rest = (a - x(i))/a*(1.0_wp + x(i)/a)
+            square = rest - min(hardness/largest, 1.0_wp)**2
+            loads(i) = half_pi*largest*rest*a
+            if (square > 0.0_wp) loads(i) = (hardness*sqrt(square) + largest*rest*acos(sqrt(min(square/rest, 1.0_wp))))*a
         end do
     end subroutine truncated_hertz
 
