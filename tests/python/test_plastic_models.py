@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
+from mdrcontact import _boundary
 from mdrcontact.plastic import Imprint, Overload, PressureCap, truncated_hertz
 
 FILMS = Path(__file__).parents[1] / "data" / "plastic_films.csv"
@@ -302,6 +303,12 @@ def test_caps_do_not_reach_too_small_numbers(at):
         with pytest.raises(mdr.errors.UnreachableError, match="where the medium begins"):
             getattr(cap, at)(1e-300)
     assert cap.at_force(1e60).force == pytest.approx(1e60, rel=1e-9)
+
+
+def test_pressures_beyond_the_end_of_the_indenter_raise():
+    cap = PressureCap(mdr.Contact(mdr.Sphere(1.0), METAL), 0.1)
+    with pytest.raises(mdr.errors.DomainError, match=r"^radius = 1000: indenter and medium are defined up to 1$"):
+        _boundary.call(_boundary.native.cap_pressure, cap._handle, 1000.0, np.zeros(1))
 
 
 def test_caps_outside_double_precision_raise():

@@ -141,16 +141,23 @@ contains
 
         call check_made(error, "cap", self%is_made)
         call check_given(given, value, error)
+        if (given == by_radius) call check_end(self, value, error)
         if (allocated(error)) return
-        if (given == by_radius .and. value > self%contact%equilibrium%last_radius) then
-            call raise(error, error_domain, " = "//to_text(value)//": indenter and medium are defined up to "// &
-                       to_text(self%contact%equilibrium%last_radius), "radius")
-            return
-        end if
         a = value
         if (given /= by_radius) call search(self, given == by_depth, value, a, error)
         if (.not. allocated(error)) call state_at(self, a, state, error)
     end subroutine at
+
+    !> Raises beyond the end of indenter or medium.
+    pure subroutine check_end(self, a, error)
+        class(cap_t), intent(in) :: self
+        real(wp), intent(in) :: a
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (a <= self%contact%equilibrium%last_radius .or. allocated(error)) return
+        call raise(error, error_domain, " = "//to_text(a)//": indenter and medium are defined up to "// &
+                   to_text(self%contact%equilibrium%last_radius), "radius")
+    end subroutine check_end
 
     !> States at given radii, depths or forces.
     subroutine states(self, given, values, found, error)
@@ -189,6 +196,7 @@ contains
         residual = 0.0_wp
         call check_made(error, "cap", self%is_made)
         call check_positive(error, "radius", a)
+        call check_end(self, a, error)
         do i = 1, size(r)
             call check_not_negative(error, "r", r(i), i)
         end do
