@@ -15,6 +15,7 @@ module mdrcontact_plastic_cap
     use mdrcontact_medium_hats, only: find_heights, hats_t, line_compliance, new_hats
     use mdrcontact_medium_solver, only: check_springs
     use mdrcontact_nonfinite, only: is_finite
+    use mdrcontact_numerics_search, only: interval_of
     use mdrcontact_plastic_radius_search, only: by_depth, by_radius, check_given, find_radius, miss_t
     implicit none (type, external)
     private
@@ -189,7 +190,7 @@ contains
         real(wp), intent(out) :: pressure(:), residual(:)
         type(error_t), allocatable, intent(out) :: error
         type(disc_t) :: disc
-        real(wp) :: part
+        real(wp) :: part, nodes(0:intervals)
         integer :: i, k
 
         pressure = 0.0_wp
@@ -202,15 +203,14 @@ contains
         end do
         if (.not. allocated(error)) call press(self, self%hats(2), a, disc, error)
         if (allocated(error)) return
-        associate (nodes => a*self%hats(2)%nodes)
-            do i = 1, size(r)
-                if (r(i) >= a) cycle
-                k = max(count(nodes <= r(i)), 1) - 1
-                part = (r(i) - nodes(lbound(nodes, 1) + k))/(nodes(lbound(nodes, 1) + k + 1) - nodes(lbound(nodes, 1) + k))
-                pressure(i) = min(max((1.0_wp - part)*disc%pressure(k) + part*disc%pressure(k + 1), 0.0_wp), self%hardness)
-                residual(i) = (1.0_wp - part)*disc%residual(k) + part*disc%residual(k + 1)
-            end do
-        end associate
+        nodes = a*self%hats(2)%nodes
+        do i = 1, size(r)
+            if (r(i) >= a) cycle
+            k = interval_of(nodes, r(i)) - 1
+            part = (r(i) - nodes(k))/(nodes(k + 1) - nodes(k))
+            pressure(i) = min(max((1.0_wp - part)*disc%pressure(k) + part*disc%pressure(k + 1), 0.0_wp), self%hardness)
+            residual(i) = (1.0_wp - part)*disc%residual(k) + part*disc%residual(k + 1)
+        end do
     end subroutine pressure_at
 
     !> By both discs, extrapolated.
