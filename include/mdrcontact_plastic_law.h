@@ -440,6 +440,24 @@ MDR_INLINE int mdr_plastic_sticky_state(const mdr_plastic_view *view, const doub
     return MDR_SUCCESS;
 }
 
+/* Length of the memory of a contact. */
+MDR_INLINE size_t mdr_plastic_memory_size(const mdr_plastic_view *view)
+{
+    return view->line > 0.0 ? 2 : 1;
+}
+
+/* A step of one contact from its memory to the one after it: F, dF/dd and a; a == NULL: the first two alone. */
+MDR_INLINE int mdr_plastic_step(const mdr_plastic_view *view, double d, const double memory[], double after[], double *F, double *slope,
+                                double *a)
+{
+    mdr_plastic_sticky contact;
+    if (!(view->line > 0.0)) return mdr_plastic_follow(view, memory[0], d, &after[0], F, slope, a);
+    const int status = mdr_plastic_sticky_state(view, memory, d, &contact, F, slope, a);
+    after[0] = contact.closed ? -contact.deepest : contact.deepest;
+    after[1] = contact.lost;
+    return status;
+}
+
 /** Compute the force of one contact at a depth, and change its memory; as mdr_plastic_law_advance() for one contact.
  *  @param view    view of a law
  *  @param d       indentation depth at the end of the step [length]
@@ -453,20 +471,10 @@ MDR_INLINE int mdr_plastic_sticky_state(const mdr_plastic_view *view, const doub
  */
 MDR_INLINE int mdr_plastic_view_advance(const mdr_plastic_view *view, double d, double memory[], double *F, double *slope)
 {
-    int status;
-    if (view->line > 0.0) {
-        mdr_plastic_sticky contact;
-        status = mdr_plastic_sticky_state(view, memory, d, &contact, F, slope, NULL);
-        if (status == MDR_SUCCESS) {
-            memory[0] = contact.closed ? -contact.deepest : contact.deepest;
-            memory[1] = contact.lost;
-        }
-    } else {
-        double kept;
-        status = mdr_plastic_follow(view, memory[0], d, &kept, F, slope, NULL);
-        if (status == MDR_SUCCESS) memory[0] = kept;
-    }
-    if (status != MDR_SUCCESS) *F = *slope = (double)NAN;
+    double after[2];
+    const int status = mdr_plastic_step(view, d, memory, after, F, slope, NULL);
+    if (status == MDR_SUCCESS) memcpy(memory, after, mdr_plastic_memory_size(view) * sizeof *memory);
+    else *F = *slope = (double)NAN;
     return status;
 }
 
@@ -485,20 +493,10 @@ MDR_INLINE int mdr_plastic_view_advance(const mdr_plastic_view *view, double d, 
 MDR_INLINE int mdr_plastic_view_try(const mdr_plastic_view *view, double d, const double memory[], double after[],
                                         mdr_plastic_point *point)
 {
-    int status;
-    if (view->line > 0.0) {
-        mdr_plastic_sticky contact;
-        status = mdr_plastic_sticky_state(view, memory, d, &contact, &point->force, &point->slope, &point->radius);
-        if (status == MDR_SUCCESS && after) {
-            after[0] = contact.closed ? -contact.deepest : contact.deepest;
-            after[1] = contact.lost;
-        }
-    } else {
-        double kept;
-        status = mdr_plastic_follow(view, memory[0], d, &kept, &point->force, &point->slope, &point->radius);
-        if (status == MDR_SUCCESS && after) after[0] = kept;
-    }
+    double kept[2];
+    const int status = mdr_plastic_step(view, d, memory, kept, &point->force, &point->slope, &point->radius);
     if (status != MDR_SUCCESS) point->force = point->slope = point->radius = (double)NAN;
+    else if (after) memcpy(after, kept, mdr_plastic_memory_size(view) * sizeof *after);
     return status;
 }
 

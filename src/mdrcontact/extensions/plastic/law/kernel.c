@@ -13,21 +13,12 @@ int mdrcontact_plastic_steps(const mdr_plastic_view *view, int n, const double d
 int mdrcontact_plastic_steps(const mdr_plastic_view *view, int n, const double depth[], int is_trial, double memory[], double force[],
                              double slope[], double radius[])
 {
-    const int size = view->line > 0.0 ? 2 : 1;
+    const size_t size = mdr_plastic_memory_size(view);
     for (int i = 0; i < n; ++i) {
-        double after[2] = {0.0, 0.0}, F, rise, a = 0.0;
-        double *const mine = memory + (size_t)size * (size_t)i;
-        int status;
-        if (size == 2) {
-            mdr_plastic_sticky contact;
-            status = mdr_plastic_sticky_state(view, mine, depth[i], &contact, &F, &rise, &a);
-            after[0] = contact.closed ? -contact.deepest : contact.deepest;
-            after[1] = contact.lost;
-        } else {
-            status = mdr_plastic_follow(view, mine[0], depth[i], &after[0], &F, &rise, radius ? &a : NULL);
-        }
-        if (status != MDR_SUCCESS) return i;
-        if (!is_trial) memcpy(mine, after, (size_t)size * sizeof *mine);
+        double after[2], F, rise, a = 0.0;
+        double *const mine = memory + size * (size_t)i;
+        if (mdr_plastic_step(view, depth[i], mine, after, &F, &rise, radius ? &a : NULL) != MDR_SUCCESS) return i;
+        if (!is_trial) memcpy(mine, after, size * sizeof *mine);
         if (force) force[i] = F;
         if (slope) slope[i] = rise;
         if (radius) radius[i] = a;
@@ -41,7 +32,7 @@ int mdrcontact_plastic_energies(const mdr_plastic_view *view, int n, const doubl
 int mdrcontact_plastic_energies(const mdr_plastic_view *view, int n, const double depth[], const double memory[], double stored[],
                                 double dissipated[])
 {
-    const size_t size = view->line > 0.0 ? 2 : 1;
+    const size_t size = mdr_plastic_memory_size(view);
     for (int i = 0; i < n; ++i) {
         if (mdr_plastic_view_energies(view, depth[i], memory + size * (size_t)i, &stored[i], &dissipated[i]) != MDR_SUCCESS) return i;
     }
