@@ -111,12 +111,12 @@ module mdrcontact_plastic_law
             integer(c_int) :: done
         end function mdrcontact_plastic_energies
 
-        subroutine mdrcontact_plastic_virgin(view, depth, state) bind(C)
+        function mdrcontact_plastic_recovery(view, deepest) result(recovery) bind(C)
             import :: c_double, plastic_view_t
             type(plastic_view_t), intent(in) :: view
-            real(c_double), intent(in), value :: depth
-            real(c_double), intent(out) :: state(6)
-        end subroutine mdrcontact_plastic_virgin
+            real(c_double), intent(in), value :: deepest
+            real(c_double) :: recovery
+        end function mdrcontact_plastic_recovery
     end interface
 
 contains
@@ -271,7 +271,6 @@ contains
         real(wp), intent(out) :: force, radius, residual, work
         type(error_t), allocatable, intent(out) :: error
         type(path_t) :: path
-        real(wp) :: state(6)
 
         force = 0.0_wp
         radius = 0.0_wp
@@ -285,8 +284,7 @@ contains
         if (allocated(error)) return
         associate (deepest => abs(path%memory(1, 1)))
             if (deepest <= self%yield_without) return
-            call mdrcontact_plastic_virgin(view_of(self), deepest, state)
-            residual = deepest - state(5)
+            residual = deepest - mdrcontact_plastic_recovery(view_of(self), deepest)
         end associate
     end subroutine first_loading
 

@@ -39,22 +39,12 @@ int mdrcontact_plastic_energies(const mdr_plastic_view *view, int n, const doubl
     return n;
 }
 
-/* First loading without adhesion at a depth of the range: F, dF/dd, a, da/dd, the recovery of an elastic unloading and the work. */
-void mdrcontact_plastic_virgin(const mdr_plastic_view *view, double depth, double state[6]);
-void mdrcontact_plastic_virgin(const mdr_plastic_view *view, double depth, double state[6])
+/* How far an elastic unloading without adhesion recovers from a largest depth of the range. */
+double mdrcontact_plastic_recovery(const mdr_plastic_view *view, double deepest);
+double mdrcontact_plastic_recovery(const mdr_plastic_view *view, double deepest)
 {
-    const mdr_plastic_imprint imprint = mdr_plastic_any_imprint(view, depth);
-    mdr_plastic_virgin(view, depth, &state[0], &state[1], &state[2], &state[3]);
-    state[4] = imprint.uniform + imprint.hertz;
-    state[5] = mdr_plastic_work(view, depth);
-}
-
-/* The largest depth without adhesion of first loading to a depth; NaN beyond the range. */
-double mdrcontact_plastic_arrive(const mdr_plastic_view *view, double depth);
-double mdrcontact_plastic_arrive(const mdr_plastic_view *view, double depth)
-{
-    if (view->line > 0.0) return mdr_plastic_arrive(view, 0.0, depth);
-    return depth <= view->highest ? depth : (double)NAN;
+    const mdr_plastic_imprint imprint = mdr_plastic_any_imprint(view, deepest);
+    return imprint.uniform + imprint.hertz;
 }
 
 double mdrcontact_plastic_loss(const mdr_plastic_view *view, double deepest);
