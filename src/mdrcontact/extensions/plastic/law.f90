@@ -71,7 +71,6 @@ module mdrcontact_plastic_law
     end type path_t
 
     type, extends(batch_t) :: work_t
-        type(plastic_law_t), pointer :: law => null()
         type(plastic_view_t) :: view
         type(plastic_steps_t) :: steps
     contains
@@ -146,29 +145,36 @@ contains
         integer, intent(in) :: threads
         type(error_t), allocatable, intent(out) :: error
         type(work_t) :: work
-        integer :: i, n
 
         call check_made(error, "law", self%is_made)
         if (allocated(error)) return
-        n = size(contacts%depth)
         call check_threads(error, threads)
-        if (size(contacts%memory, 1) /= self%memory_size() .or. size(contacts%memory, 2) /= n) then
-            call raise(error, error_invalid, ": it must have memory_size numbers for each depth", "memory")
-        end if
         work%is_quick = .true.
         work%view = view_of(self)
-        do i = 1, n
-            if (allocated(error)) return
-            if (.not. is_possible(self, work%view, contacts%depth(i), contacts%memory(:, i))) then
-                call check_step(self, work%view, contacts%depth(i), contacts%memory(:, i), error)
-                if (allocated(error)) call raise_at(error, i)
-            end if
-        end do
+        call check_contacts(self, work%view, contacts%depth, contacts%memory, error)
         if (allocated(error)) return
-        work%law => self
         work%steps = contacts
-        call run_batch(work, n, block_size, smallest_parallel, threads, error)
+        call run_batch(work, size(contacts%depth), block_size, smallest_parallel, threads, error)
     end subroutine steps
+
+    !> Raises for the first contact whose depth or memory is not one of the law.
+    pure subroutine check_contacts(self, view, depth, memory, error)
+        type(plastic_law_t), intent(in) :: self
+        type(plastic_view_t), intent(in) :: view
+        real(wp), intent(in) :: depth(:), memory(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i
+
+        if (size(memory, 1) /= self%memory_size() .or. size(memory, 2) /= size(depth)) then
+            call raise(error, error_invalid, ": it must have memory_size numbers for each depth", "memory")
+        end if
+        do i = 1, size(depth)
+            if (allocated(error)) return
+            if (is_possible(self, view, depth(i), memory(:, i))) cycle
+            call check_step(self, view, depth(i), memory(:, i), error)
+            if (allocated(error)) call raise_at(error, i)
+        end do
+    end subroutine check_contacts
 
     !> Whether a step certainly has no error.
     pure function is_possible(self, view, depth, memory) result(possible)
@@ -246,16 +252,8 @@ contains
         call check_made(error, "law", self%is_made)
         if (allocated(error)) return
         n = size(depth)
-        if (size(memory, 1) /= self%memory_size() .or. size(memory, 2) /= n) then
-            call raise(error, error_invalid, ": it must have memory_size numbers for each depth", "memory")
-        end if
         view = view_of(self)
-        do i = 1, n
-            if (allocated(error)) return
-            if (is_possible(self, view, depth(i), memory(:, i))) cycle
-            call check_step(self, view, depth(i), memory(:, i), error)
-            if (allocated(error)) call raise_at(error, i)
-        end do
+        call check_contacts(self, view, depth, memory, error)
         if (allocated(error)) return
         i = int(mdrcontact_plastic_energies(view, int(n, c_int), depth, c_loc(memory), stored, dissipated))
         if (i < n) call raise(error, error_domain, " = "//to_text(depth(i + 1))//": the contact leaves the range of the law. "// &
