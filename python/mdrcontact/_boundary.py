@@ -127,6 +127,13 @@ def call(function: Callable[..., Any], *arguments: Any) -> Any:
     return results[0] if len(results) == 1 else results
 
 
+def check_memory(memory: Any, size: int, maker: str) -> None:
+    """Raise unless it is an array whose rows of `size` numbers compiled code can change; the method that makes one."""
+    if not (isinstance(memory, np.ndarray) and memory.dtype == np.float64 and memory.ndim == 2
+            and 0 < size == memory.shape[1] and memory.flags.c_contiguous and memory.flags.writeable):  # fmt: skip
+        raise ArgumentTypeError(f"memory: it must be an array made by {maker}, or some of its rows in a row")
+
+
 def evaluate(name: str, values: ArrayLike, function: Callable[[NDArray[np.float64]], Any]) -> FloatOrArray:
     """Calls a compiled function that maps n numbers to n numbers, for input of any shape."""
     (result,) = evaluate_all(name, values, function)

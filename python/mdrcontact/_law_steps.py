@@ -8,7 +8,7 @@ from typing import Any, Literal, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._boundary import call, native, numbers, whole
+from ._boundary import call, check_memory, native, numbers, whole
 from ._law_file import LawFile
 from .errors import ArgumentTypeError, InvalidArgumentError
 
@@ -246,7 +246,5 @@ class LawSteps(LawFile):
             call(native.law_turn, self._handle, directions, angles, memory)
 
     def _count(self, memory: Reals) -> int:
-        if not (self.sliders and isinstance(memory, np.ndarray) and memory.dtype == np.float64 and memory.ndim == 2
-                and memory.shape[1] == self.memory_size and memory.flags.c_contiguous and memory.flags.writeable):  # fmt: skip
-            raise ArgumentTypeError("memory: it must be an array made by ContactLaw.contacts, or some of its rows in a row")
+        check_memory(memory, self.memory_size, "ContactLaw.contacts")
         return len(memory)

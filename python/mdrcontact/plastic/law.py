@@ -9,7 +9,20 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _layout
-from .._boundary import FloatOrArray, Handle, call, evaluate, evaluate_all, native, not_zero, number, numbers, record, whole
+from .._boundary import (
+    FloatOrArray,
+    Handle,
+    call,
+    check_memory,
+    evaluate,
+    evaluate_all,
+    native,
+    not_zero,
+    number,
+    numbers,
+    record,
+    whole,
+)
 from .._warn import Caution, texts_of, warn_all
 from ..errors import ArgumentTypeError, LargeStrainWarning
 from ..material import Elastic
@@ -440,9 +453,7 @@ class PlasticLaw:
         return stored, dissipated
 
     def _depths(self, memory: Reals, depth: ArrayLike) -> Reals:
-        if not (isinstance(memory, np.ndarray) and memory.dtype == np.float64 and memory.ndim == 2
-                and memory.shape[1] == self.memory_size and memory.flags.c_contiguous and memory.flags.writeable):  # fmt: skip
-            raise ArgumentTypeError("memory: it must be an array made by PlasticLaw.contacts, or some of its rows in a row")
+        check_memory(memory, self.memory_size, "PlasticLaw.contacts")
         depths = numbers("depth", depth)
         if depths.shape != (len(memory),):
             raise ArgumentTypeError(f"depth of shape {depths.shape}: it must be ({len(memory)},)")
