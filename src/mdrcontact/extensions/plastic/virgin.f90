@@ -8,6 +8,7 @@ module mdrcontact_plastic_virgin
     use mdrcontact_error, only: check_within, error_t
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_numerics_chebyshev, only: chebyshev_sum
+    use mdrcontact_numerics_exponential, only: one_minus_exp
     implicit none (type, external)
     private
     public :: virgin_t, new_virgin, first_yield, largest_load, largest_poisson
@@ -98,19 +99,9 @@ contains
         y = x*x*sqrt(x)
         pressure = pressure*exp(y*chebyshev_sum(self%pressure, z))
         depth = exp(y*chebyshev_sum(self%depth, z))
-        deficit = -less_one(x*x*chebyshev_sum(self%line, z))
+        deficit = one_minus_exp(-x*x*chebyshev_sum(self%line, z))
         line = line*(1.0_wp - deficit)
     end subroutine at
-
-    !> exp(y) - 1, by its series where that cancels.
-    elemental function less_one(y) result(value)
-        real(wp), intent(in) :: y
-        real(wp) :: value
-
-        value = exp(y) - 1.0_wp
-        if (abs(y) < 1.0e-2_wp) value = y*(1.0_wp + y/2.0_wp*(1.0_wp + y/3.0_wp*(1.0_wp + y/4.0_wp*(1.0_wp + y/5.0_wp* &
-                                                                   (1.0_wp + y/6.0_wp*(1.0_wp + y/7.0_wp))))))
-    end function less_one
 
     !> L = a E*/(R Y) at which a half-space begins to yield below a paraboloid: on the axis at the depth zeta a, by Huber's
     !> stresses (theory/plastic.md (4.2), (4.3)). The polynomial (4.4) is an approximation of this.
