@@ -172,6 +172,19 @@ def test_files_of_one_drop_stay_apart_and_later_ones_replace(session):
     assert session.add({"x.csv": b"5"}) == ["x.csv"] and session.files["x.csv"].read_bytes() == b"5"
 
 
+def test_files_that_are_refused_or_replaced_take_no_room(session, monkeypatch):
+    monkeypatch.setattr("mdrcontact.app.session.LARGEST_FILE", 6)
+    monkeypatch.setattr("mdrcontact.app.session.LARGEST_SUM", 8)
+    for _ in range(3):
+        with pytest.raises(mdr.MDRError, match=r"large\.csv: it has more than"):
+            session.add({"y.csv": b"1", "large.csv": b"1234567"})
+        session.add({"x.csv": b"12345"})
+    # of a drop all files are kept, or none
+    assert [*session.files] == os.listdir(session._folder) == ["x.csv"]
+    with pytest.raises(mdr.MDRError, match=r"z\.csv: it has .* all files together"):
+        session.add({"z.csv": b"1234"})
+
+
 def test_dropped_files_are_private_and_vanish(session, monkeypatch):
     session.add({"x.csv": b"1"})
     assert session._folder.stat().st_mode & 0o077 == 0

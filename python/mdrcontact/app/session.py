@@ -40,7 +40,6 @@ class Session:
         """paths by name"""
         # only this user may open it
         self._folder = Path(tempfile.mkdtemp(prefix="mdrcontact-"))
-        self._size = 0
         atexit.register(self.close)
 
     def opens(self, given: str) -> bool:
@@ -52,17 +51,20 @@ class Session:
         if len(self.files) + len(contents) > MOST_FILES:
             raise InvalidArgumentError(f"files: they are more than {MOST_FILES}. Drop fewer.")
         names: list[str] = []
-        for name, content in contents.items():
-            self._size += len(content)
-            if len(content) > LARGEST_FILE or self._size > LARGEST_SUM:
+        for name in contents:
+            names.append(_unlike(cleaned(name), names))
+        kept = sum(one.stat().st_size for one in self._folder.iterdir() if one.name not in names)
+        for name, content in zip(names, contents.values(), strict=True):
+            kept += len(content)
+            if len(content) > LARGEST_FILE or kept > LARGEST_SUM:
                 raise InvalidArgumentError(
-                    f"{cleaned(name)}: it has more than {LARGEST_FILE // 1_000_000} MB, or all files together more than "
+                    f"{name}: it has more than {LARGEST_FILE // 1_000_000} MB, or all files together more than "
                     f"{LARGEST_SUM // 1_000_000} MB. Drop smaller files."
                 )
-            names.append(_unlike(cleaned(name), names))
-            place = self._folder / names[-1]
+        for name, content in zip(names, contents.values(), strict=True):
+            place = self._folder / name
             place.write_bytes(content)
-            self.files[names[-1]] = place
+            self.files[name] = place
         return names
 
     def shortened(self, words: str) -> str:
