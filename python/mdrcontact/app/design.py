@@ -97,7 +97,7 @@ def register(dash: Dash, session: Session) -> None:
     )
     def compute(data: Any, tab: str, _ticks: Any, _cancel: Any) -> Any:
         """Show the results of the text."""
-        text = data["text"] if data else first
+        text = editor.text_of(data, first)
         if ctx.triggered_id == f"{NAME}-cancel":
             session.jobs.cancel()
         if tab == _FILE:
@@ -118,7 +118,7 @@ def register(dash: Dash, session: Session) -> None:
     )
     def get(clicks: Any, data: Any, tab: str) -> Any:
         """Download a file of the result."""
-        found = session.jobs.find(_key(data["text"] if data else first, tab))
+        found = session.jobs.find(_key(editor.text_of(data, first), tab))
         if found is None or not any(clicks):
             raise PreventUpdate
         return results.written(found, ctx.triggered_id["get"], _command(tab))
@@ -134,7 +134,7 @@ def register(dash: Dash, session: Session) -> None:
         """Begin with an example."""
         if not name:
             raise PreventUpdate
-        return editor.with_text(data, examples()[name]), ""
+        return editor.with_text(data, first, examples()[name]), ""
 
 
 def _file(text: str) -> list[Any]:

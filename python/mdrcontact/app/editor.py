@@ -46,10 +46,15 @@ def file_tab(name: str, text: str, commands: list[str], python: list[str]) -> li
     return [*parts, html.H2("The same in Python"), html.Pre("\n".join(python))] if python else parts
 
 
-def with_text(data: Any, text: str, by: str = "") -> dict[str, Any]:
+def text_of(data: Any, first: str) -> str:
+    """Return the text of a state; the first one before any change."""
+    return str(data["text"]) if data else first
+
+
+def with_text(data: Any, first: str, text: str, by: str = "") -> dict[str, Any]:
     """Return the state with another text; the old one can be undone."""
-    past = [*(data or {}).get("past", []), (data or {}).get("text")]
-    return {"text": text, "past": [one for one in past if one is not None][-_MOST:], "by": by}
+    past = [*(data["past"] if data else []), text_of(data, first)]
+    return {"text": text, "past": [one for one in past if one][-_MOST:], "by": by}
 
 
 def register(dash: Dash, name: str, root: Table, first: str, seek: Seek | None = None) -> None:
@@ -75,7 +80,7 @@ def register(dash: Dash, name: str, root: Table, first: str, seek: Seek | None =
             return {"text": past[-1], "past": past[:-1], "by": ""}, ""
         if used is None or len(ctx.triggered) > 1 or value is None or ("act" in used and not value):
             raise PreventUpdate  # the form was drawn
-        text = data["text"] if data else first
+        text = text_of(data, first)
         try:
             new = _changed(root, text, used, value, seek)
         except MDRError as refusal:
@@ -83,7 +88,7 @@ def register(dash: Dash, name: str, root: Table, first: str, seek: Seek | None =
         if new == text:
             raise PreventUpdate
         by = "" if used.get("set") == TEXT else used.get("set") or used["act"]
-        return with_text(data, new, by), no_update
+        return with_text(data, first, new, by), no_update
 
     parts = {"form": name, "part": ALL}
 
@@ -97,11 +102,11 @@ def register(dash: Dash, name: str, root: Table, first: str, seek: Seek | None =
     )
     def draw(data: Any, drawn: Any, ids: Any) -> Any:
         """Draw the form; after an input only the parts that have other rows, so that the focus stays."""
-        by = data["by"] if data else ""
-        if not (data["text"] if data else first):
+        by, text = data["by"] if data else "", text_of(data, first)
+        if not text:
             return [], [no_update] * len(ids), None
         try:
-            whole = form(name, root, data["text"] if data else first, by)
+            whole = form(name, root, text, by)
         except MDRError:
             raise PreventUpdate from None  # the text is no TOML, which the results say
         found = parts_of(whole)
@@ -130,7 +135,7 @@ def register(dash: Dash, name: str, root: Table, first: str, seek: Seek | None =
     )
     def save(_clicks: int, data: Any) -> Any:
         """Download the problem file."""
-        return results.download("problem.toml", data["text"] if data else first)
+        return results.download("problem.toml", text_of(data, first))
 
 
 def _changed(root: Table, text: str, used: Any, value: Any, seek: Seek | None) -> str:

@@ -88,7 +88,7 @@ def register(dash: Dash, session: Session, page: str) -> None:
             return {**run, **files}, files, no_update
         tests = [name.removeprefix(f"{names[0]} ") for name in out]
         text = edit.changed(run["text"], _OUT, tests) if tests else edit.without(run["text"], _OUT)
-        return {**run, "text": text}, no_update, editor.with_text(data, text)
+        return {**run, "text": text}, no_update, editor.with_text(data, run["text"], text)
 
     @dash.callback(
         Output("many-one", "children"), Input(GRID, "cellClicked"), State(f"{page}-run", "data"), prevent_initial_call=True

@@ -249,12 +249,12 @@ def register(dash: Dash, session: Session) -> None:
             )
         except MDRError as refusal:
             return no_update, no_update, str(refusal), no_update
-        return {"names": rest, "out": []} if rest else old or known, editor.with_text(data, text), "", "Data"
+        return {"names": rest, "out": []} if rest else old or known, editor.with_text(data, first, text), "", "Data"
 
     @dash.callback(Output(f"{NAME}-sought", "children"), Input(NAME, "data"))
     def draw(data: Any) -> Any:
         """Draw what is sought, unless a row of it was changed, which shows what the user did."""
-        text, by = (data["text"], data["by"]) if data else (first, "")
+        text, by = editor.text_of(data, first), data["by"] if data else ""
         before = free_of(data["past"][-1]) if by.startswith("#") else {}
         if by.startswith("#") and not (by.startswith(_FREE) and before.get(by.partition("/")[2])):
             raise PreventUpdate
@@ -276,7 +276,7 @@ def register(dash: Dash, session: Session) -> None:
     def start(clicks: int, data: Any, files: Any, moves: bool, compare: bool) -> Any:
         """Fit the curves of the files."""
         return {
-            "text": data["text"] if data else first,
+            "text": editor.text_of(data, first),
             **(files or known),
             "moves": moves,
             "compare": compare,
@@ -294,7 +294,7 @@ def register(dash: Dash, session: Session) -> None:
     )
     def compute(run: Any, data: Any, files: Any, tab: str, _ticks: Any, _cancel: Any) -> Any:
         """Show what the files have, or what the fit finds."""
-        text, files = data["text"] if data else first, files or known
+        text, files = editor.text_of(data, first), files or known
         if ctx.triggered_id == f"{NAME}-cancel":
             session.jobs.cancel()
         if tab == "File":
@@ -328,7 +328,7 @@ def register(dash: Dash, session: Session) -> None:
         for one, figure in zip(chosen, figures, strict=True):
             if one and one.get("range"):
                 axis = figure["layout"]["xaxis"]["title"]["text"]
-                return editor.with_text(data, ranged(data["text"] if data else first, axis, one["range"]["x"]))
+                return editor.with_text(data, first, ranged(editor.text_of(data, first), axis, one["range"]["x"]))
         raise PreventUpdate
 
     @dash.callback(
