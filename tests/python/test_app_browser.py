@@ -175,6 +175,20 @@ def test_a_design_by_the_keyboard_alone(open_page):
     assert page.said == "Models computed" and page.numbers()["spread"]
 
 
+def test_a_problem_file_is_opened_and_the_first_change_is_undone(open_page):
+    first, other = text_of("sio2_on_si"), text_of("tin_on_steel")
+    page = open_page(first)
+    page.idle()
+    page.driver.find_element(By.CSS_SELECTOR, "#design-open input").send_keys(str(PROBLEMS / "tin_on_steel.toml"))
+    page.wait(lambda: page.text == other, "a file is opened")
+    page.idle()
+    expected = studies.curve(problem.read_text(other), pressures=True, references=True)
+    assert page.numbers() == {name: str(number) for name, number in expected.numbers.items()}
+    page.driver.find_element(By.ID, "undo").click()
+    page.wait(lambda: page.text == first, "the file is undone")
+    page.idle()
+
+
 def test_a_dropped_table_to_a_modulus_within_its_interval(open_page, tmp_path):
     page = open_page()
     page.tab("Measure")

@@ -137,6 +137,16 @@ def register(dash: Dash, name: str, root: Table, first: str, seek: Seek | None =
         """Download the problem file."""
         return results.download("problem.toml", text_of(data, first))
 
+    @dash.callback(
+        Output(name, "data", allow_duplicate=True),
+        Input(f"{name}-open", "contents"),
+        State(name, "data"),
+        prevent_initial_call=True,
+    )
+    def open_file(content: str, data: Any) -> Any:
+        """Show the text of a problem file."""
+        return with_text(data, first, content_of(content).decode("utf-8", "replace"))
+
 
 def _changed(root: Table, text: str, used: Any, value: Any, seek: Seek | None) -> str:
     if "act" in used:
