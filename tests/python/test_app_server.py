@@ -462,3 +462,15 @@ def test_a_fit_through_the_callbacks_is_that_of_the_command(session, page):
     expected = mdr.studies.fit(problem, problem.read_data(folder / "modulus_of_oxide.csv")[0]).fit
     shown = texts(found["measure-results"]["children"])
     assert len(expected.names) > 0 and {expected.as_text(name) for name in expected.names} <= set(shown)
+
+
+def test_a_fit_of_files_that_are_gone_is_no_fault(session, page):
+    """The command was started again, and another file was dropped."""
+    text = (ROOT / "examples" / "fit" / "modulus_of_oxide.toml").read_text("utf-8")
+    run = {"text": text, "names": ["gone.csv"], "out": [], "moves": False, "compare": False, "run": 1}
+    values = {"measure-run.data": run, "measure.data": {"text": text}}
+    session.add({"other.csv": b"1"})
+    for names, tab in ((["other.csv"], "Fit"), (["gone.csv"], "Fit"), (["gone.csv"], "Data")):
+        more = {"measure-names.data": {**run, "names": names}, "measure-tab.value": tab}
+        found = asked_of(page, "measure-results", {**values, **more}, "measure-run.data")
+        assert found["measure-alert"]["children"] == "The files that were dropped are no longer there. Drop them again."

@@ -18,7 +18,7 @@ from .._units import RATIO, shown
 from ..cli import pages
 from ..cli.files import DATA_SUFFIXES
 from ..cli.table import as_csv
-from ..errors import FileError, MDRError
+from ..errors import MDRError
 from ..instruments.files.data_keys import KNOWN
 from ..instruments.fitting import report as report_of
 from ..instruments.fitting.gel import NAMES as GEL_NAMES
@@ -43,7 +43,6 @@ _ROOT = dataclasses.replace(
 """The file of a fit without what is sought, which has rows of its own."""
 _FREE, _PRIOR = "#free", "#prior"
 _AT = ("fit", "free")
-_GONE = "The files that were dropped are no longer there. Drop them again."
 
 
 def is_mine(text: str) -> bool:
@@ -64,9 +63,7 @@ def begin(session: Session) -> tuple[str, list[str]]:
 
 def inspected(session: Session, name: str) -> Any:
     """Return what is in a file."""
-    if name not in session.files:
-        raise FileError(_GONE)
-    path = session.files[name]
+    path = session.path(name)
     return session.jobs.now(("inspect", name, path.stat().st_mtime_ns), lambda: studies.inspect(path))
 
 
@@ -150,7 +147,7 @@ def seek(session: Session, text: str, path: Path, value: Any) -> str:
 def fitted(session: Session, run: Mapping[str, Any], progress: Progress) -> Any:
     """Return what the study finds in the curves that are not left out, as the command does."""
     problem, names = session.fit_file(run["text"]), [name for name in run["names"] if name not in run["out"]]
-    paths = [session.files[name] for name in names]
+    paths = [session.path(name) for name in names]
     curves = problem.all_curves(paths, progress) if len(paths) > 1 else problem.curves(paths[0])
     if len(curves) > 1:
         return studies.many(problem, curves, progress=progress)
@@ -208,7 +205,7 @@ def file_of(session: Session, run: Mapping[str, Any], found: Any, what: str) -> 
     """Return a file of a fit for the download."""
     fit, notes = (found, []) if isinstance(found, FittedCurves) else found
     if what == "report.html":
-        read = {name: session.files[name].read_bytes() for name in run["names"] if name not in run["out"]}
+        read = {name: session.path(name).read_bytes() for name in run["names"] if name not in run["out"]}
         origin = report_of.origin(read, run["text"], command_of(run))
         page = pages.many_page(fit, origin) if isinstance(fit, FittedCurves) else pages.fit_page(fit, notes, origin)
         return results.download(what, session.shortened(page))
@@ -302,8 +299,6 @@ def register(dash: Dash, session: Session) -> None:
         if not files["names"]:
             return results.show([html.P("Drop a table, a spreadsheet or files of an AFM on the left to begin.", className="note")])
         try:
-            if any(name not in session.files for name in files["names"]):
-                raise FileError(_GONE)
             if tab == "Data":
                 return results.show(_found(inspected(session, files["names"][0])))
         except MDRError as refusal:

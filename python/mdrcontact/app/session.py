@@ -13,7 +13,7 @@ import threading
 from collections.abc import Mapping
 from pathlib import Path
 
-from ..errors import InvalidArgumentError
+from ..errors import FileError, InvalidArgumentError
 from ..instruments.files.fit_file import FitFile, fit_file_of_text
 from ..problem import Problem, read_text
 from ..problem.named import LARGEST_FILE
@@ -47,7 +47,8 @@ class Session:
         return hmac.compare_digest(given.encode(), self.once.encode()) and self._unused.acquire(blocking=False)
 
     def add(self, contents: Mapping[str, bytes]) -> list[str]:
-        """Keep files that were dropped together, and return their cleaned names. A name that was dropped before is replaced."""
+        """Keep files that were dropped together, and return their cleaned names. A file of a name that is
+        there is replaced, and results of it are forgotten."""
         if len(self.files) + len(contents) > MOST_FILES:
             raise InvalidArgumentError(f"files: they are more than {MOST_FILES}. Drop fewer.")
         names: list[str] = []
@@ -66,6 +67,12 @@ class Session:
             place.write_bytes(content)
             self.files[name] = place
         return names
+
+    def path(self, name: str) -> Path:
+        """Return the path of a file by its name."""
+        if name not in self.files:
+            raise FileError("The files that were dropped are no longer there. Drop them again.")
+        return self.files[name]
 
     def shortened(self, words: str) -> str:
         """Return words, or what JSON has of them, in which dropped files have no folder."""
