@@ -464,6 +464,23 @@ def test_a_fit_through_the_callbacks_is_that_of_the_command(session, page):
     assert len(expected.names) > 0 and {expected.as_text(name) for name in expected.names} <= set(shown)
 
 
+def test_a_file_that_is_replaced_is_fitted_anew(session, page):
+    """A page that is drawn again counts its clicks from 1."""
+    folder = ROOT / "examples" / "fit"
+    text, table = (folder / "modulus_of_oxide.toml").read_text("utf-8"), (folder / "modulus_of_oxide.csv").read_text("utf-8")
+    run = {"text": text, "names": ["data.csv"], "out": [], "moves": False, "compare": False, "run": 1}
+    values = {"measure-run.data": run, "measure.data": {"text": text}, "measure-names.data": run, "measure-tab.value": "Fit"}
+    head, *rows = table.splitlines()
+    shown = []
+    for content in (table, "\n".join([head, *rows[::2]])):
+        session.add({"data.csv": content.encode()})
+        shown.append(texts(asked_of(page, "measure-results", values, "measure-run.data")["measure-results"]["children"]))
+    problem = mdr.instruments.load_fit_file(folder / "modulus_of_oxide.toml")
+    data = session.fit_file(text).curves(session.files["data.csv"])[0].read()[0]
+    fit = mdr.studies.fit(problem, data).fit
+    assert fit.as_text("coating.E") in shown[1] and fit.as_text("coating.E") not in shown[0]
+
+
 def test_a_fit_of_files_that_are_gone_is_no_fault(session, page):
     """The command was started again, and another file was dropped."""
     text = (ROOT / "examples" / "fit" / "modulus_of_oxide.toml").read_text("utf-8")

@@ -105,6 +105,14 @@ class Jobs:
                 self._results.popitem(last=False)
         return result
 
+    def forget(self) -> None:
+        """End the job that runs, and forget all results."""
+        if self.latest is not None:
+            self.latest.cancel()
+            self.latest.wait()
+        with self._lock:
+            self._results.clear()
+
     def find(self, key: Hashable) -> Any:
         """Return the result of a key, or None."""
         with self._lock:

@@ -62,10 +62,13 @@ class Session:
                     f"{name}: it has more than {LARGEST_FILE // 1_000_000} MB, or all files together more than "
                     f"{LARGEST_SUM // 1_000_000} MB. Drop smaller files."
                 )
+        replaced = self.files.keys() & names
         for name, content in zip(names, contents.values(), strict=True):
             place = self._folder / name
             place.write_bytes(content)
             self.files[name] = place
+        if replaced:
+            self.jobs.forget()
         return names
 
     def path(self, name: str) -> Path:
