@@ -95,9 +95,9 @@ def outputs(name: str) -> list[Output]:
     return [Output(f"{name}-{part}", key) for part, keys in ids.items() for key in keys]
 
 
-def show(parts: Any, said: str = "", is_old: bool = False) -> list[Any]:
-    """Show results. is_old : whether the text has changed since"""
-    return [parts, "dimmed" if is_old else "", "", None, said, True, True, []]
+def show(parts: Any, said: str = "") -> list[Any]:
+    """Show results."""
+    return [parts, "", "", None, said, True, True, []]
 
 
 def show_answer(name: str, found: Answer, report: Callable[[Any], Any], said: str) -> list[Any]:
@@ -144,10 +144,10 @@ def folded(tables: Mapping[str, Any], notes: Mapping[str, str] = MappingProxyTyp
     return made
 
 
-def table(columns: Any, most: int = _ROWS) -> Any:
-    """Return a table with at most so many rows, spread over all."""
+def table(columns: Any) -> Any:
+    """Return a table with at most 50 rows, spread over all."""
     count = len(columns[0].values)
-    return rows(as_rows(columns, most), f"{most} of {count} rows; the CSV file has all" if count > most else "")
+    return rows(as_rows(columns, _ROWS), f"{_ROWS} of {count} rows; the CSV file has all" if count > _ROWS else "")
 
 
 def rows(cells: Sequence[Sequence[str]], caption: str = "") -> Any:
@@ -179,10 +179,8 @@ def download(name: str, content: bytes | str) -> dict[str, Any]:
     return {"filename": name, "content": base64.b64encode(content).decode(), "base64": True, "type": "application/octet-stream"}
 
 
-def words_of(refusal: Exception | None) -> str:
+def words_of(refusal: Exception) -> str:
     """Return a refusal as the alert has it."""
-    if refusal is None:
-        return ""
     if isinstance(refusal, CancelledError):
         return "The work was cancelled."
     if isinstance(refusal, MDRError):
@@ -190,10 +188,8 @@ def words_of(refusal: Exception | None) -> str:
     return f"This is a fault of mdrcontact, please report it: {type(refusal).__name__}: {refusal}"
 
 
-def progress(state: tuple[float, float | None, str] | None) -> list[Any]:
+def progress(state: tuple[float, float | None, str]) -> list[Any]:
     """Return what has been done."""
-    if state is None:
-        return []
     done, total, what = state
     name: dict[str, Any] = {"aria-label": what}
     bar = html.Progress(value=str(done), max=str(total), **name) if total else html.Progress(**name)
