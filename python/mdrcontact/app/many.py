@@ -27,8 +27,13 @@ def report(run: Mapping[str, Any], found: FittedCurves) -> list[Any]:
     """Return the means, the figure or map, and a row for each curve."""
     parts: list[Any] = [html.H2(found.title), *(html.P(words, className="note") for words in found.notes.values())]
     parts += [results.table(found.tables["spread"])] if "spread" in found.tables else []
-    parts += [html.Ul([html.Li(words) for words in found.doubts], className="warnings")] if found.doubts else []
-    return [*parts, grid(run, found), html.Div(id="many-one"), results.panels(found.figure())]
+    return [
+        *parts,
+        *results.items(found.doubts, "warnings"),
+        grid(run, found),
+        html.Div(id="many-one"),
+        results.panels(found.figure()),
+    ]
 
 
 def grid(run: Mapping[str, Any], found: FittedCurves) -> Any:

@@ -109,12 +109,8 @@ def sought(session: Session, text: str) -> Any:
         box = dbc.Checkbox(id=own, value=name in free, label=html.Span([words_of(name), " ", html.Small(now)]))
         sd = dbc.Input(id=known, value=str(free.get(name, {}).get("prior_sd", "")), placeholder="sd", debounce=True)
         label = html.Label(f"standard deviation of {words_of(name)}", htmlFor=dom_id(known), className="unseen")
-        rows.append(
-            html.Div(
-                [box, html.Span([label, sd]), html.Span(id=id_of(NAME, "error", ("fit", "free", name)), className="error")],
-                className="row",
-            )
-        )
+        error = html.Span(id=id_of(NAME, "error", (*_AT, name)), className="error")
+        rows.append(html.Div([box, html.Span([label, sd]), error], className="row"))
     hint = html.P("Ticked numbers are found. A number that is known beforehand has its standard deviation (sd).", className="hint")
     return html.Fieldset([html.Legend("sought"), hint, *rows])
 
@@ -125,11 +121,8 @@ def seek(session: Session, text: str, path: Path, value: Any) -> str:
     free = free_of(text)
     known = {key: old for key, old in free.get(name, {}).items() if not key.startswith("prior")}
     if what == _FREE and not value:
-        return (
-            edit.changed(text, _AT, [one for one in free if one != name])
-            if not any(free.values())
-            else edit.without(text, (*_AT, name))
-        )
+        rest = [one for one in free if one != name]
+        return edit.without(text, (*_AT, name)) if any(free.values()) else edit.changed(text, _AT, rest)
     if what == _PRIOR and value:
         now = numbers_of(session, text)[name] or 0.0
         is_plain = dimension_of(name) == RATIO
@@ -165,34 +158,24 @@ def report(run: Mapping[str, Any], found: Any) -> list[Any]:
     if not hasattr(fit.fit, "interval_as_text"):  # a gel
         return [*results.report(fit, None), command]
     verdict = html.P(f"The model {fit.fit.misfit_words()}.", className="verdict")
-    warnings = [html.Ul([html.Li(words) for words in fit.warnings], className="warnings")] if fit.warnings else []
-    parts = [html.H2(fit.title), verdict, _estimates(fit), *warnings, command, results.panels(fit.figure())]
+    parts = [html.H2(fit.title), verdict, _estimates(fit), *results.items(fit.warnings, "warnings"), command]
+    parts.append(results.panels(fit.figure()))
     if fit.moves is not None and fit.moves.summary():
-        parts += [
-            html.H2("Other choices"),
-            html.Ul([html.Li(line) for line in fit.moves.summary()]),
-            results.panels(fit.moves.plot()),
-        ]
+        parts += [html.H2("Other choices"), *results.items(fit.moves.summary()), results.panels(fit.moves.plot())]
     if fit.ranking is not None:
         parts += [html.H2("Models"), html.Pre(fit.notes["models"])]
     if fit.refusal is not None:
         parts += [html.P(str(fit.refusal), className="warnings")]
-    read = html.Ul([html.Li(note) for note in notes])
-    return [*parts, html.H2("What was read"), read, *results.folded(fit.tables)]
+    return [*parts, html.H2("What was read"), *results.items(notes), *results.folded(fit.tables)]
 
 
 def _estimates(found: FittedCurve) -> Any:
     fit = found.fit
-    rows = [
-        [
-            words_of(name),
-            fit.as_text(name),
-            fit.interval_as_text(name, given=found.intervals.get(name)),
-            "; ".join(fit.doubts(name)),
-        ]
-        for name in fit.names
-    ]
-    return results.rows([["", "estimate", "95 % interval", "doubts"], *rows])
+    rows = [["", "estimate", "95 % interval", "doubts"]]
+    for name in fit.names:
+        interval = fit.interval_as_text(name, given=found.intervals.get(name))
+        rows.append([words_of(name), fit.as_text(name), interval, "; ".join(fit.doubts(name))])
+    return results.rows(rows)
 
 
 def command_of(run: Mapping[str, Any]) -> str:
@@ -241,9 +224,8 @@ def register(dash: Dash, session: Session) -> None:
             added = session.add({name: editor.content_of(one) for name, one in zip(names, contents, strict=True)})
             texts = [name for name in added if name.endswith(".toml")]
             rest = [name for name in added if name not in texts]
-            text = (
-                session.files[texts[0]].read_text("utf-8", "replace") if texts else inspected(session, rest[0]).inspection.problem
-            )
+            given = [session.path(name).read_text("utf-8", "replace") for name in texts]
+            text = given[0] if given else inspected(session, rest[0]).inspection.problem
         except MDRError as refusal:
             return no_update, no_update, str(refusal), no_update
         return {"names": rest, "out": []} if rest else old or known, editor.with_text(data, first, text), "", "Data"
@@ -272,13 +254,8 @@ def register(dash: Dash, session: Session) -> None:
     )
     def start(clicks: int, data: Any, files: Any, moves: bool, compare: bool) -> Any:
         """Fit the curves of the files."""
-        return {
-            "text": editor.text_of(data, first),
-            **(files or known),
-            "moves": moves,
-            "compare": compare,
-            "run": clicks,
-        }, "Fit"
+        options = {"moves": moves, "compare": compare, "run": clicks}
+        return {"text": editor.text_of(data, first), **(files or known), **options}, "Fit"
 
     @dash.callback(
         results.outputs(NAME),
@@ -344,9 +321,9 @@ def _found(found: Any) -> list[Any]:
     """What a file has."""
     inspection = found.inspection
     words = [f"{inspection.kind}: {', '.join(found.curves[:3])}"] if found.curves else []
-    parts: list[Any] = [html.H2(found.title), html.Ul([html.Li(note) for note in (*words, *inspection.notes)])]
+    parts: list[Any] = [html.H2(found.title), *results.items((*words, *inspection.notes))]
     parts += [html.P(str(found.refusal), className="warnings")] if found.refusal else []
-    parts += [html.Ul([html.Li(str(fact)) for fact in found.facts])] if found.facts else []
+    parts += results.items(found.facts)
     guessed, figure = ", ".join(found.guessed), found.figure()
     parts += [html.P(f"Not in the file, put in yours: {guessed}.", className="note"), *results.report(found, None)]
     if not figure.panels:

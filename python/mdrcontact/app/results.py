@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -129,10 +129,16 @@ def report(found: Result, figure: Figure | None) -> list[Any]:
     """Return numbers, warnings, notes, figure and tables of a study."""
     numbers = [html.Div([html.Dt(name), html.Dd(str(number))]) for name, number in found.numbers.items()]
     parts: list[Any] = [html.Dl(numbers, className="numbers")] if numbers else []
-    parts += [html.Ul([html.Li(words) for words in found.warnings], className="warnings")] if found.warnings else []
+    parts += items(found.warnings, "warnings")
     parts += [html.P(words, className="note") for about, words in found.notes.items() if about not in found.tables]
     parts += [panels(figure)] if figure is not None and figure.panels else []
     return [*parts, *folded(found.tables, found.notes)]
+
+
+def items(lines: Iterable[Any], look: str = "") -> list[Any]:
+    """Return a list, or nothing without lines. look : its class"""
+    entries = [html.Li(str(line)) for line in lines]
+    return [html.Ul(entries, className=look)] if entries else []
 
 
 def folded(tables: Mapping[str, Any], notes: Mapping[str, str] = MappingProxyType({})) -> list[Any]:
