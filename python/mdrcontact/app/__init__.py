@@ -15,7 +15,6 @@ def make_app(session: Session) -> Dash:
     """Return the page of a session. Its server is `dash.server`, a Flask application."""
     dash = server.make_dash()
     dash.layout = lambda: layout.layout(session)
-    for module in layout.TABS:
-        module.register(dash, session)
+    layout.register(dash, session)
     server.guard(dash, session)
     return dash
