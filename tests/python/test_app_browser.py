@@ -293,6 +293,21 @@ def test_an_error_is_at_its_field_and_old_results_stay(open_page):
     assert "it is not valid TOML" in page.alert
 
 
+def test_too_large_a_drop_is_an_error(open_page, tmp_path):
+    page = open_page()
+    page.tab("Measure")
+    for name in ("a.csv", "b.csv"):
+        with (tmp_path / name).open("wb") as file:
+            file.truncate(150_000_000)
+    both = "\n".join(str(tmp_path / name) for name in ("a.csv", "b.csv"))
+    page.driver.find_element(By.CSS_SELECTOR, "#measure-drop input").send_keys(both)
+    page.wait(lambda: page.alert, "an error")
+    assert page.alert == "files: together they have more than 290 MB. Drop fewer or smaller files." and not page.session.files
+    # the page reads the next drop
+    page.drop(FITS / "sphere_on_oxide.csv")
+    assert not page.alert and [*page.session.files] == ["sphere_on_oxide.csv"]
+
+
 def test_a_text_names_no_file_of_the_machine(open_page):
     page = open_page(edit.changed(text_of("tin_on_steel"), ("friction",), {"coefficient": 0.3, "path": "/etc/passwd"}))
     page.tab("Friction")

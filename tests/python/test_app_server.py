@@ -137,6 +137,9 @@ def test_too_large_a_request_is_not_read(session, served):
     assert asked(served, session, {"Content-Length": str(10**12)}) == 413
     assert asked(served, session, {"Content-Length": str(server._LARGEST + 1)}) == 413
     assert asked(served, session, {}) not in (403, 413)
+    # the page sends no larger drop: names and 4 signs for 3 bytes
+    script = (ROOT / "python" / "mdrcontact" / "app" / "assets" / "page.js").read_text("utf-8")
+    assert 0.9 < float(re.search(r"MOST = (\w+);", script)[1]) * 4 / 3 / server._LARGEST < 0.99
 
 
 def test_the_server_listens_to_this_machine_alone(served):
