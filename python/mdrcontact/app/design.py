@@ -71,16 +71,11 @@ def first_text(session: Session) -> str:
 
 def layout(session: Session) -> list[Any]:
     """Return the form and the results."""
-    choose = dbc.Select(id=f"{NAME}-example", options={"": "choose one", **{name: name for name in examples()}}, value="")
-    example = html.Div([html.Label("example", htmlFor=f"{NAME}-example"), choose], className="row")
-    left = html.Form(
-        [html.Div([editor.head(NAME, "Open"), example], className="head"), html.Div(id=f"{NAME}-form")], className="form"
-    )
-    return [
-        *editor.stores(NAME),
-        left,
-        results.frame(NAME, results.tabs(f"{NAME}-tab", [*STUDIES, _FILE], "Curves", f"results of {NAME}")),
-    ]
+    select = dbc.Select(id=f"{NAME}-example", options={"": "choose one", **{name: name for name in examples()}}, value="")
+    example = html.Div([html.Label("example", htmlFor=f"{NAME}-example"), select], className="row")
+    head = html.Div([editor.head(NAME), example], className="head")
+    left = html.Form([head, html.Div(id=f"{NAME}-form")], className="form")
+    return [*editor.stores(NAME), left, results.frame(NAME, [*STUDIES, _FILE])]
 
 
 def register(dash: Dash, session: Session) -> None:

@@ -31,10 +31,10 @@ def stores(name: str) -> list[Any]:
     return [kept, dcc.Store(id=f"{name}-drawn"), dcc.Store(id=f"{name}-where"), dcc.Download(id=f"{name}-file")]
 
 
-def head(name: str, title: str) -> Any:
+def head(name: str) -> Any:
     """Return the buttons above a form."""
     save = html.Button("Save", id=f"{name}-save", title="download the problem file", n_clicks=0, type="button")
-    opened = html.Label([title, dcc.Upload("", id=f"{name}-open")], className="button")
+    opened = html.Label(["Open", dcc.Upload("", id=f"{name}-open")], className="button")
     return html.Div([opened, save], className="buttons")
 
 

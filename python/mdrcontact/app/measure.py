@@ -35,7 +35,6 @@ from .form import Path, dom_id, id_of, typed
 from .session import Session
 
 NAME = "measure"
-_TABS = ("Data", "Fit", "File")
 _OPTIONS = dataclasses.replace(OPTIONS, fields=tuple(one for one in OPTIONS.fields if one.name != "free"))
 _ROOT = dataclasses.replace(
     FIT, fields=tuple(one._replace(table=_OPTIONS) if one.name == "fit" else one for one in FIT.fields if one.name != "compute")
@@ -74,11 +73,10 @@ def layout(_session: Session) -> list[Any]:
     options = (("moves", "other ranges too"), ("compare", "all models too"))
     boxes = [dbc.Checkbox(id=f"{NAME}-{name}", label=words, value=False) for name, words in options]
     start = html.Button("Fit", id=f"{NAME}-start", n_clicks=0, type="button", className="main")
-    head = html.Div([editor.head(NAME, "Open"), html.Div([start, *boxes], className="buttons")], className="head")
+    head = html.Div([editor.head(NAME), html.Div([start, *boxes], className="buttons")], className="head")
     left = [drop, head, html.Div(id=f"{NAME}-form"), html.Div(id=f"{NAME}-sought")]
     stores = [dcc.Store(id=f"{NAME}-{name}", storage_type="session") for name in ("names", "run")]
-    right = results.frame(NAME, results.tabs(f"{NAME}-tab", [*_TABS], _TABS[0], f"results of {NAME}"))
-    return [*editor.stores(NAME), *stores, html.Form(left, className="form"), right]
+    return [*editor.stores(NAME), *stores, html.Form(left, className="form"), results.frame(NAME, ["Data", "Fit", "File"])]
 
 
 def free_of(text: str) -> dict[str, Mapping[str, Any]]:

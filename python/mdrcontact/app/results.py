@@ -65,13 +65,13 @@ def begins(name: str) -> bool:
     return ctx.triggered_id not in (f"{name}-again", f"{name}-cancel")
 
 
-def frame(name: str, tabs: Any) -> Any:
-    """Return the right side of a page: refusals, tabs, progress and results."""
+def frame(name: str, words: list[str]) -> Any:
+    """Return the right side of a page: errors, tabs, progress and results. words : of the tabs"""
     cancel = html.Button("Cancel", id=f"{name}-cancel", n_clicks=0, type="button")
     return html.Div(
         [
             html.Div(id=f"{name}-alert", role="alert", className="alert"),
-            tabs,
+            tabs(f"{name}-tab", words, words[0], f"results of {name}"),
             html.Div([html.Div(id=f"{name}-progress"), cancel], id=f"{name}-busy", hidden=True, className="busy"),
             html.Div(id=f"{name}-said", role="status", className="unseen"),
             html.Div(id=f"{name}-results"),
