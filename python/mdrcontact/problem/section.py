@@ -145,10 +145,8 @@ class Section:
                 raise self.error(key, f"it must be {bound}", entry=i + 1)
         return values
 
-    def number(self, key: str, default: float | None = None) -> float:
+    def number(self, key: str) -> float:
         """Return a number without unit."""
-        if default is not None and key not in self:
-            return default
         value, _ = self._found(key, "0.3")
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             raise self.error(key, "it must be a number", "Write it without quotes and without a unit")
