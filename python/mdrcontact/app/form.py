@@ -180,12 +180,8 @@ def _chosen(root: Table, text: str, place: Path, key: str, value: str) -> str:
     if value == _CRYSTAL:
         made = {"material": MATERIAL.field("material").choices[0]}
     else:
-        made = {
-            one.name: values.get(one.name, example(one))
-            for one in MATERIAL.fields
-            if value in one.when.get("", ()) and one.required
-        }
-        made = {name: new for name, new in made.items() if name != "bulk_modulus"}
+        needed = [one for one in MATERIAL.fields if value in one.when.get("", ()) and one.required and one.name != "bulk_modulus"]
+        made = {one.name: values.get(one.name, example(one)) for one in needed}
     return _differing(text, place, values, {**made, **rest})
 
 
@@ -303,15 +299,9 @@ class _Form(NamedTuple):
             own = (*path, one.name)
             if one.table is not None:
                 rows += self.nested(one, own, value)
-            elif (
-                value is not None
-                or one.required
-                or (one.choices and one.default)
-                or any(one.name in group for group in table.one_of)
-            ):
-                rows.append(self.field(one, own, value))
-            else:
-                more.append(self.field(one, own, value))
+                continue
+            is_needed = one.required or (one.choices and one.default) or any(one.name in group for group in table.one_of)
+            (rows if value is not None or is_needed else more).append(self.field(one, own, value))
         place = "/".join(map(str, path))
         rows += [html.Details([html.Summary("further keys"), *more], open=self.used.rpartition("/")[0] == place)] if more else []
         return html.Div(rows, id={"form": self.name, "part": place})
