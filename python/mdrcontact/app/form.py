@@ -124,7 +124,7 @@ def shown(value: Any) -> str:
 
 
 def typed(one: Field, text: str) -> Any:
-    """Return the value that a file has for what is typed; what is no number stays a text, which the package refuses."""
+    """Return the value that a file has for what is typed; what is no number stays a text, of which the package raises an error."""
     if text.startswith(("[", "{")):
         return edit.value(f"given = {text}", ("given",))
     if one.many:
@@ -357,7 +357,7 @@ class _Form(NamedTuple):
         return self.row(path, one.meaning, control, one.name)
 
     def select(self, path: Path, words: Iterable[str], given: str) -> Any:
-        """Return a choice; a word that is none of them is shown, too."""
+        """Return a choice; another word is also shown."""
         options = [{"label": word or "not given", "value": word} for word in dict.fromkeys((*words, given))]
         return dbc.Select(id=id_of(self.name, "set", path), options=options, value=given)
 

@@ -22,7 +22,7 @@ class BusyError(MDRError):
 
 
 def _drop(_text: str, _kind: type[Warning]) -> None:
-    """Results carry their warnings; the terminal shows none."""
+    """Results contain their warnings; the terminal shows none."""
 
 
 class Job:
@@ -40,7 +40,7 @@ class Job:
 
     @property
     def is_running(self) -> bool:
-        """Whether the work goes on."""
+        """Whether the work continues."""
         return self._thread.is_alive()
 
     def cancel(self) -> None:

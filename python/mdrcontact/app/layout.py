@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The layout of the page: header, alert, and a form beside its results for each tab."""
+"""The layout of the page: header, alert, and a form next to its results for each tab."""
 
 from __future__ import annotations
 

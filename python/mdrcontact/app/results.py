@@ -22,7 +22,7 @@ from .jobs import BusyError
 from .session import Session
 
 _SOON = 0.4
-"""Time in which most work ends, so that the page shows its result at once [s]."""
+"""Time in which most work ends, so that the page shows its result immediately [s]."""
 _ROWS, _FEW = 50, 12
 _CONFIG: Any = {"displayModeBar": False, "responsive": True}
 
@@ -111,7 +111,7 @@ def show_answer(name: str, found: Answer, report: Callable[[Any], Any], said: st
 
 
 def panels(figure: Any, drags: str = "") -> Any:
-    """Return the drawings of a figure, as many beside each other as there is room. drags : page that takes ranges from them"""
+    """Return the drawings of a figure, as many side by side as there is room. drags : page that takes ranges from them"""
     drawn = []
     for i, (one, panel) in enumerate(zip(plotly.draw(figure), figure.panels, strict=True)):
         own: dict[str, Any] = {"id": {"of": drags, "drag": i}} if drags else {}
@@ -191,7 +191,7 @@ def words_of(refusal: Exception) -> str:
         return "The work was cancelled."
     if isinstance(refusal, MDRError):
         return str(refusal)
-    return f"This is a fault of mdrcontact, please report it: {type(refusal).__name__}: {refusal}"
+    return f"This is a bug of mdrcontact, please report it: {type(refusal).__name__}: {refusal}"
 
 
 def progress(state: tuple[float, float | None, str]) -> list[Any]:

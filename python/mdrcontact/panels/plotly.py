@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures drawn with Plotly, a drawing for each panel: for the page, whose width decides how many stand beside each other."""
+"""Figures drawn with Plotly, a drawing for each panel: for the page, whose width decides how many are side by side."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _LAYOUT: dict[str, Any] = {
 _SIDE: dict[str, Any] = {"gridcolor": "#e6e6e6", "linecolor": "#8a9099", "showline": True, "zeroline": False, "ticks": "outside"}
 _SIDE |= {"ticklen": 4, "automargin": True, "exponentformat": "power"}
 _LEGEND_BELOW = 6
-"""More names than this are beside the panel."""
+"""More names than this are next to the panel."""
 _WHOLE = 12
 """Counts up to this one each have a tick."""
 _DECADES = 300.0
