@@ -106,7 +106,7 @@ class FitResults(Sequence["FitResult | FailedFit"]):
     def _repr_html_(self) -> str:
         """The estimates in a notebook."""
         more = f"<p>{_SHOWN} of {len(self)} curves</p>" if len(self) > _SHOWN else ""
-        return html_table(self._rows(self[:_SHOWN])) + more
+        return html_table(self[:_SHOWN]._rows()) + more
 
     @functools.cached_property
     def fitted(self) -> tuple[FitResult, ...]:
@@ -119,9 +119,14 @@ class FitResults(Sequence["FitResult | FailedFit"]):
         return tuple(one for one in self if isinstance(one, FailedFit))
 
     @functools.cached_property
+    def _rated(self) -> tuple[Rating | None, ...]:
+        """The rating of each curve; None of a failure."""
+        return tuple(rate(one) if isinstance(one, FitResult) else None for one in self)
+
+    @property
     def ratings(self) -> tuple[Rating, ...]:
         """The rating of each fit in `fitted`."""
-        return tuple(map(rate, self.fitted))
+        return tuple(one for one in self._rated if one is not None)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -162,8 +167,6 @@ class FitResults(Sequence["FitResult | FailedFit"]):
             numbers of the records without a model; verdict and rating; "warnings", with the reason why a curve is not sound or not
             fitted; and the settings of the fit: "model", "indenter" and each fixed number.
         """
-        ratings = iter(self.ratings)
-        rated = [next(ratings) if isinstance(one, FitResult) else None for one in self]
         found: dict[str, Any] = {"curve": np.arange(len(self))}
         for name in self.names:
             found[name] = self._numbers(lambda one: one.estimates, name)
@@ -174,10 +177,10 @@ class FitResults(Sequence["FitResult | FailedFit"]):
         found["converged"] = [one.converged for one in self]
         found["verdict"] = [one.verdict if isinstance(one, FitResult) else "" for one in self]
         found |= {name: self._numbers(_sizes, name) for name in ("misfit", "noise")}
-        found["rating"] = np.array([np.nan if one is None else one.score for one in rated])
-        found["sound"] = [one is not None and one.is_sound for one in rated]
+        found["rating"] = np.array([np.nan if one is None else one.score for one in self._rated])
+        found["sound"] = [one is not None and one.is_sound for one in self._rated]
         found |= {name: self._numbers(_tests, name) for name in ("chi-square/dof", "pattern p")}
-        found["warnings"] = [_remarks(one, rating) for one, rating in zip(self, rated, strict=True)]
+        found["warnings"] = [_remarks(one, rating) for one, rating in zip(self, self._rated, strict=True)]
         return {**found, **self._settings()}
 
     def plot(self, title: str = "") -> Figure:
@@ -238,7 +241,7 @@ class FitResults(Sequence["FitResult | FailedFit"]):
             means = [self.mean(name) for name in self.names]
             rows = [[words_of(one.name), measured(one.name, one.value, one.standard_error)] for one in means]
             blocks.append(html_table([["mean of tests", "value"], *rows]))
-        blocks += [report.picture(figure, "estimates of all curves"), report.heading("Curves"), html_table(self._rows(self))]
+        blocks += [report.picture(figure, "estimates of all curves"), report.heading("Curves"), html_table(self._rows())]
         blocks += [report.heading("What was assumed, for the first curve"), report.assumptions(self.fitted[0])]
         text = report.page(title, blocks)
         if path is not None:
@@ -261,14 +264,14 @@ class FitResults(Sequence["FitResult | FailedFit"]):
         found: dict[str, Any] = {"model": [model] * len(self), "indenter": [type(first.indenter).__name__] * len(self)}
         return found | {f"fixed {name}": self._numbers(lambda one: one.values, name) for name in fixed}
 
-    def _rows(self, some: Iterable[FitResult | FailedFit]) -> list[list[str]]:
+    def _rows(self) -> list[list[str]]:
         """A row for each curve, below the titles."""
         rows = [["curve", *map(words_of, self.names), "verdict", "remarks"]]
-        for i, one in enumerate(some):
+        for i, (one, rating) in enumerate(zip(self, self._rated, strict=True)):
             if isinstance(one, FailedFit):
                 rows.append([str(i), *["-"] * len(self.names), "not fitted", str(one.error)])
             else:
-                rows.append([str(i), *map(one.as_text, self.names), one.verdict, _remarks(one, rate(one))])
+                rows.append([str(i), *map(one.as_text, self.names), one.verdict, _remarks(one, rating)])
         return rows
 
 
