@@ -168,14 +168,17 @@ def _look(part: Line | Rule, width: float) -> dict[str, Any]:
     return {"color": colour(part.colour), "linestyle": _DASHES[part.dash], "linewidth": width}
 
 
-def _name_rules(axis: Any, rules: list[Rule]) -> None:
-    """Write the names at the ends of the rules; those of vertical ones below each other."""
+def _outlined(of: str) -> dict[str, Any]:
     from matplotlib.patheffects import withStroke
 
+    return {"path_effects": [withStroke(linewidth=2.0, foreground=of)]}
+
+
+def _name_rules(axis: Any, rules: list[Rule]) -> None:
+    """Write the names at the ends of the rules; those of vertical ones below each other."""
     below = 3
     for part in rules:
-        look: dict[str, Any] = {"textcoords": "offset points", "color": colour(part.colour)}
-        look["path_effects"] = [withStroke(linewidth=2.0, foreground="white")]
+        look: dict[str, Any] = {"textcoords": "offset points", "color": colour(part.colour), **_outlined("white")}
         if part.vertical:
             is_left = axis.transAxes.inverted().transform(axis.transData.transform((part.at, 1.0)))[0] < 0.6
             place = {"xytext": (3 if is_left else -3, -below), "va": "top", "ha": "left" if is_left else "right"}
@@ -186,13 +189,11 @@ def _name_rules(axis: Any, rules: list[Rule]) -> None:
 
 
 def _draw_label(axis: Any, panel: Panel, part: Label, above: bool) -> None:
-    from matplotlib.patheffects import withStroke
-
     axis.plot(part.x, part.y, part.marker, markersize=5, markerfacecolor="none", color=colour(part.colour), zorder=5, clip_on=False)
     right = side_of(panel, part) == "right"
     look: dict[str, Any] = {"color": colour(part.colour), "ha": "left" if right else "right"}
     if any(isinstance(one, Cells) for one in panel.parts):  # legible on any colour
-        look["path_effects"] = [withStroke(linewidth=2.0, foreground="black" if part.colour == "white" else "white")]
+        look |= _outlined("black" if part.colour == "white" else "white")
     place = 7 if right else -7, 6 if above else -12
     axis.annotate(part.text, (part.x, part.y), xytext=place, textcoords="offset points", **look)
 

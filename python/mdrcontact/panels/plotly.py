@@ -122,20 +122,11 @@ def _label(panel: Panel, part: Label, on_map: bool, above: bool) -> dict[str, An
 def _cells(part: Cells, every: Array) -> dict[str, Any]:
     """A map. every : values of all maps of the panel, which share one bar"""
     low, high = limits(part)
-    cut = [
-        words
-        for is_cut, words in ((np.nanmin(every) < low, f"\u2264 {low:.4g}"), (np.nanmax(every) > high, f"\u2265 {high:.4g}"))
-        if is_cut
-    ]
+    cut = [f"\u2264 {low:.4g}"] * bool(np.nanmin(every) < low) + [f"\u2265 {high:.4g}"] * bool(np.nanmax(every) > high)
     title = f"{part.axis.title}<br>ends: {', '.join(cut)}" if cut else part.axis.title
     bar = {"title": {"text": title, "side": "right"}, "thickness": 12, "outlinewidth": 0, "exponentformat": "power"}
-    look = {
-        "zmin": low,
-        "zmax": high,
-        "colorscale": "RdBu_r" if part.two_sided else "Viridis",
-        "showscale": part.bar,
-        "colorbar": bar,
-    }
+    look = {"zmin": low, "zmax": high, "showscale": part.bar, "colorbar": bar}
+    look["colorscale"] = "RdBu_r" if part.two_sided else "Viridis"
     # for the eye: half the bytes
     return {"type": "heatmap", "x": part.x, "y": part.y, "z": np.float32(part.values), "showlegend": False, **look}
 
@@ -148,9 +139,8 @@ def _side(panel: Panel, axis: Axis, name: str) -> dict[str, Any]:
         found = np.concatenate([getattr(part, name) for part in panel.parts if isinstance(part, Line)])
         first, last = np.nanmin(found[found > 0.0]), np.nanmax(found)
         steps = [k * 10.0**n for n in range(math.floor(math.log10(first)) - 1, math.ceil(math.log10(last)) + 1) for k in (1, 2, 5)]
-        made |= {"type": "log", "dtick": 1} | (
-            {"tickvals": steps, "ticktext": [f"{one:g}" for one in steps]} if last < _DECADES * first else {}
-        )
+        made |= {"type": "log", "dtick": 1}
+        made |= {"tickvals": steps, "ticktext": [f"{one:g}" for one in steps]} if last < _DECADES * first else {}
         low, high = (end if end is None else math.log10(end) for end in (low, high))
     elif axis.names:
         made |= {"tickvals": [*range(1, len(axis.names) + 1)], "ticktext": [*map(_plain, axis.names)], "tickangle": -90}
