@@ -69,10 +69,8 @@ def guard(dash: Dash, session: Session) -> None:
 
     def check() -> Any:
         port = request.environ["SERVER_PORT"]
-        cookie = f"mdrcontact-{port}"
-        if request.headers.get("Host") not in [f"{name}:{port}" for name in _NAMES]:
-            abort(403)
-        if request.headers.get("Origin", f"http://{request.host}") != f"http://{request.host}":
+        cookie, host = f"mdrcontact-{port}", request.headers.get("Host")
+        if host not in [f"{name}:{port}" for name in _NAMES] or request.headers.get("Origin", f"http://{host}") != f"http://{host}":
             abort(403)
         given = request.path.removeprefix("/")
         if _is(given, session.secret) or session.opens(given):
