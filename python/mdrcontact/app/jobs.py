@@ -105,11 +105,15 @@ class Jobs:
                 self._results.popitem(last=False)
         return result
 
-    def forget(self) -> None:
-        """End the job that runs, and forget all results."""
+    def end(self) -> None:
+        """Cancel the job that runs, and wait for its end."""
         if self.latest is not None:
             self.latest.cancel()
             self.latest.wait()
+
+    def forget(self) -> None:
+        """End the job that runs, and forget all results."""
+        self.end()
         with self._lock:
             self._results.clear()
 

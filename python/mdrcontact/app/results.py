@@ -43,19 +43,15 @@ def answer(session: Session, key: Hashable, what: str, work: Callable[[Progress]
     found, jobs = session.jobs.find(key), session.jobs
     if found is not None:
         return Answer(found)
-    job = jobs.latest
-    is_own = job is not None and job.key == key
-    if not start and not is_own:
-        return Answer(refusal=CancelledError(""))
-    if start and not (is_own and job is not None and job.is_running):
-        if job is not None and job.is_running:
-            job.cancel()
-            job.wait()
+    job = jobs.latest if jobs.latest is not None and jobs.latest.key == key else None
+    if start and (job is None or not job.is_running):
+        jobs.end()
         try:
             job = jobs.start(key, what, work)
         except BusyError as refusal:  # a second page was faster
             return Answer(refusal=refusal)
-    assert job is not None
+    elif job is None:
+        return Answer(refusal=CancelledError(""))
     job.wait(_SOON)
     return Answer(progress=job.done) if job.is_running else Answer(job.result, job.problem)
 
