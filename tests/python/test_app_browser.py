@@ -264,9 +264,8 @@ def test_many_curves_of_which_one_is_broken_and_one_bad(open_page, tmp_path):
     row.find_element(By.CSS_SELECTOR, "input[type=checkbox]").click()
     page.wait(lambda: "22 of 23 curves fitted" in page.one("results").text)
     page.idle()
-    next(one for one in page.all("#many-grid .ag-row") if "test_02.csv" in one.text).find_elements(By.CSS_SELECTOR, ".ag-cell")[
-        -1
-    ].click()
+    row = page.wait(lambda: [one for one in page.all("#many-grid .ag-row") if "test_02.csv" in one.text][0])
+    row.find_elements(By.CSS_SELECTOR, ".ag-cell")[-1].click()
     page.wait(lambda: page.all("#many-one .panels"))
     assert "test_02.csv" in page.driver.find_element(By.ID, "many-one").text
 
