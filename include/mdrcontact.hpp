@@ -65,7 +65,7 @@ template <class Call> int guarded(Call &&call) noexcept
     try {
         return call();
     } catch (...) {
-        if (!detail::thrown()) detail::thrown() = std::current_exception();
+        detail::thrown() = std::current_exception();
         return 1;
     }
 }

@@ -32,6 +32,23 @@ void throw_from_function()
     CHECK(f > 0.2499 && f < 0.2501);
 }
 
+// The program ignores the status of one call: the exception of the next one is that of its own function.
+void ignore_a_status()
+{
+    mdr::Function first([](double) -> double { throw Stopped("first"); });
+    mdr::Function second([](double) -> double { throw Stopped("second"); });
+    mdr_profile *never = nullptr;
+    std::string caught;
+
+    CHECK(mdr_profile_function(first.function(), first.context(), 1.0, &never) == MDR_ECALLBACK);
+    try {
+        mdr::check(mdr_profile_function(second.function(), second.context(), 1.0, &never));
+    } catch (const Stopped &stopped) {
+        caught = stopped.what();
+    }
+    CHECK(caught == "second");
+}
+
 void throw_from_cancel(int threads)
 {
     const mdr_layer film = mdr_isotropic(10.0, 0.2, 0.5), below = mdr_isotropic(1.0, 0.3, 0.0);
@@ -72,6 +89,7 @@ void throw_from_cancel(int threads)
 int main()
 {
     throw_from_function();
+    ignore_a_status();
     throw_from_cancel(1);
     throw_from_cancel(2);
     return host_report("exceptions");
