@@ -229,6 +229,61 @@ def test_history_goes_on_from_where_it_was(contact):
     assert np.all(profile.worn_depth(r) > -1e-12) and history.pressure(2.0) == 0.0
 
 
+END = mdr.FlatEndedCone
+
+
+@pytest.mark.parametrize(
+    ("tip", "film", "wear", "given", "path"),
+    [
+        # the coarser rings take the whole step under the small force at its end
+        (BALL, None, (1.0,), {"force": 1.0, "scheme": "rings"}, [(1e-3, {"force": 0.03})]),
+        (mdr.Cone(0.52), None, (1.0,), {"force": 0.7, "scheme": "rings"}, [(1e-3, {"force": 0.04})]),
+        # hats overshoot where the pressure jumps: at the edge of a flat end, and at the end of a coating
+        (END(0.7348, 0.8763), 2.9, (1.0,), {"force": 0.044}, [(2.28e-4, {"force": 0.104})]),
+        (END(0.8151, 1.2992), 0.387, (1.0, 3.0), {"force": 0.192}, [(0.1, {"force": 0.0476})]),
+    ],
+)
+def test_what_a_history_saves_is_its_past(tip, film, wear, given, path):
+    """Whatever the load and the shape: errors of coarse schemes are no sign of altered numbers."""
+    medium = HERTZ.medium if film is None else mdr.Coated(mdr.Elastic(film, 0.3), 0.5, mdr.Elastic(1.0, 0.3))
+    history = Wear(mdr.Contact(tip, medium), wear, (1e-2,) * (len(wear) - 1)).history(intervals=16, **given)
+    for sliding, target in path:
+        history.advance(sliding, **target)
+        assert np.array_equal(history.restored(history.saved()).saved(), history.saved())
+
+
+@pytest.mark.parametrize("scheme", ["disc", "rings"])
+def test_random_histories_are_restored(scheme):
+    """Shapes, coatings of contrast 1e-2 to 1e2, forces and distances over several decades, with a fixed seed."""
+    draw = np.random.default_rng(57)
+    restored = 0
+    for i in range(60):
+        size = 10.0 ** draw.uniform(-1.0, 1.0)
+        shapes = [BALL, mdr.Sphere(size), mdr.Cone(draw.uniform(0.05, 1.2)), mdr.PowerLaw(draw.choice([1.5, 3.0, 6.0]), 1.0),
+                  END(size, draw.uniform(0.1, 1.4)), mdr.FlatEndedParaboloid(1.0, size), mdr.FlatPunch(size)]  # fmt: skip
+        film, thickness = mdr.Elastic(10.0 ** draw.uniform(-2.0, 2.0), 0.3), 10.0 ** draw.uniform(-1.5, 1.0)
+        medium = HERTZ.medium if i % 3 == 0 else mdr.Coated(film, thickness, mdr.Elastic(1.0, 0.3))
+        k = 10.0 ** draw.uniform(-2.0, 2.0)
+        worn = (k, k * 10.0 ** draw.uniform(-2.0, 2.0)) if i % 5 == 0 else (k,)
+        force = 10.0 ** draw.uniform(-3.0, 0.5)
+        try:
+            history = Wear(mdr.Contact(shapes[i % 7], medium), worn, (1e-2,) * (len(worn) - 1)).history(
+                force=force, intervals=16, scheme=scheme
+            )
+        except mdr.errors.MDRError:
+            continue
+        for _ in range(3):
+            try:
+                history.advance(10.0 ** draw.uniform(-4.0, 1.5) * history.state.radius / k, force=force)
+            except mdr.errors.MDRError:
+                pass
+            saved = history.saved()
+            assert np.array_equal(history.restored(saved).saved(), saved), history
+            restored += 1
+            force *= 10.0 ** draw.uniform(-2.0 if scheme == "rings" else 0.0, 1.0)
+    assert restored > 80
+
+
 @pytest.mark.parametrize("contact", [HERTZ, COATED])
 def test_rings_follow_any_path(contact):
     """Falling and rising loads, depth and force in turn, far enough for rings to double: k F s to 1e-12 at each end; where the load

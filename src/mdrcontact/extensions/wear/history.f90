@@ -410,7 +410,7 @@ contains
         if (allocated(error)) return
         call one_step(self, 2, middle, distances(2) - distances(1), control, targets(2), fine, works(3), error)
         if (allocated(error)) return
-        past%work = past%work + works(2) + works(3)
+        past%works = past%works + [works(1), works(2) + works(3)]
         past%sliding = past%sliding + distances(2)
         past%last_step = distances(2)
         past%discs(1) = coarse
@@ -487,7 +487,7 @@ contains
         now%worn_volume = best(6) - best(8)
         now%body_depth = best(7)
         now%body_volume = best(8)
-        now%work = self%past%work
+        now%work = self%past%works(2)
         now%error = maxval(abs(values(:4, 2) - values(:4, 1))/abs(best(:4)))
         associate (disc => self%past%discs(2))
             ! the edge lies within a ring

@@ -23,21 +23,22 @@ module mdrcontact_wear_past
     !> Numbers that identify a contact: the first state, the surface of the bodies, three for the wear of both sides, and heights.
     integer, parameter :: of_state = 4, of_wear = 7, marks = of_state + of_wear + size(around)
     !> Numbers of a saved past before those of the contact, and of each disc before its pressures.
-    integer, parameter :: saved_numbers = 6, saved_of_disc = 6
+    integer, parameter :: saved_numbers = 7, saved_of_disc = 6
     !> Relative deviation of two contacts that are the same: the same numbers on another machine.
     real(wp), parameter :: same = 1.0e-6_wp
-    !> Relative residuals of what holds in each state: of a sum of products, and of the scheme.
-    real(wp), parameter :: rounding = 1.0e-6_wp, of_scheme = 0.3_wp
-    !> Pressures and loads below minus so many times the mean pressure and the largest load are no errors of the hats, which
-    !> overshoot where a coating ends.
-    real(wp), parameter :: lowest_pressure = 10.0_wp, lowest_load = 1.0e-2_wp
-    !> Ratio of the depths of the two resolutions beyond which they are not those of one contact.
-    real(wp), parameter :: most_apart = 1.5_wp
+    !> Relative residual of a sum of products. Those of the schemes are up to 0.4 of the depth and 0.4 of the work, with 16 intervals
+    !> under a flat end or an edge; these limits reject only numbers of another order of magnitude.
+    real(wp), parameter :: rounding = 1.0e-6_wp, of_depth = 1.0_wp, of_work = 0.75_wp
+    !> Pressures and loads below minus so many times the mean pressure and the largest load are not errors of the hats, which
+    !> overshoot where a coating or a flat end ends: by 6 and 0.07.
+    real(wp), parameter :: lowest_pressure = 100.0_wp, lowest_load = 0.5_wp
+    !> Ratio of the depths of the two resolutions beyond which they are not those of one contact; 1.3 occurs.
+    real(wp), parameter :: most_apart = 3.0_wp
 
     !> Record of the past: the discs of n/2 and of n intervals.
     type :: wear_past_t
-        !> s [length] and int F ds [modulus length^3] since the beginning
-        real(wp) :: sliding = 0.0_wp, work = 0.0_wp
+        !> s since the beginning [length], and int F ds of both discs [modulus length^3]
+        real(wp) :: sliding = 0.0_wp, works(2) = 0.0_wp
         !> s at which the target last began to change or ceased to [length]
         real(wp) :: steady_from = 0.0_wp
         !> of the coarser disc [length]
@@ -104,7 +105,7 @@ contains
         real(wp), intent(out) :: numbers(:)
         integer :: i, n, at
 
-        numbers(:saved_numbers) = [real(ubound(past%discs(2)%load, 1), wp), past%sliding, past%work, past%steady_from, &
+        numbers(:saved_numbers) = [real(ubound(past%discs(2)%load, 1), wp), past%sliding, past%works, past%steady_from, &
                                    past%last_step, merge(1.0_wp, 0.0_wp, has_rings)]
         numbers(saved_numbers + 1:saved_numbers + marks) = past%mark
         at = saved_numbers + marks
@@ -141,9 +142,9 @@ contains
             return
         end if
         past%sliding = numbers(2)
-        past%work = numbers(3)
-        past%steady_from = numbers(4)
-        past%last_step = numbers(5)
+        past%works = numbers(3:4)
+        past%steady_from = numbers(5)
+        past%last_step = numbers(6)
         past%mark = numbers(saved_numbers + 1:saved_numbers + marks)
         at = saved_numbers + marks
         do i = 1, 2
@@ -207,11 +208,11 @@ contains
         logical :: valid
         integer :: i
 
-        valid = min(past%sliding, past%work, past%steady_from, past%last_step) >= 0.0_wp .and. &
+        valid = min(past%sliding, minval(past%works), past%steady_from, past%last_step) >= 0.0_wp .and. &
                 max(past%steady_from, past%last_step) <= past%sliding*(1.0_wp + rounding)
         do i = 1, 2
             if (valid) valid = is_in_range(of, of%hats(i), past%discs(i))
-            if (valid) call balance(of, of%hats(i), past%discs(i), past%work, valid, error)
+            if (valid) call balance(of, of%hats(i), past%discs(i), past%works(i), valid, error)
             if (allocated(error)) return
         end do
         depths = past%discs%depth
@@ -279,7 +280,7 @@ contains
         else where
             depths = 0.0_wp
         end where
-        valid = all(abs(depths) <= of_scheme*areas*disc%depth) .and. abs(total - work) <= of_scheme*max(work, total)
+        valid = all(abs(depths) <= of_depth*areas*disc%depth) .and. abs(total - work) <= of_work*max(work, total)
     end subroutine balance
 
 end module mdrcontact_wear_past
