@@ -80,7 +80,7 @@ class Steps:
             panel = xp.clip(xp.searchsorted(self.edges, self.constant(depth)) - 1, 0, len(self.rows) - 1)
             low, high = self.edges[panel], self.edges[panel + 1]
             return self.rows[panel], ((depth - low) + (depth - high)) / (high - low)
-        y = head["scale"] * depth + head["offset"]
+        y = head["scale"] * (depth - head["yield"]) + head["offset"]
         mantissa, exponent = xp.frexp(self.constant(y))
         panels = 2.0 ** head["bits"]
         in_octave = xp.floor((2.0 * mantissa - 1.0) * panels)
