@@ -16,6 +16,7 @@ module mdrcontact_conduction_rough_law
     !> Newton's steps for the mean separation, at most.
     integer, parameter :: most_steps = 60
 
+    !> A law of rough surfaces, conductance per area at a pressure.
     type, abstract :: rough_law_t
         !> R_c times the conductance below
         real(wp) :: scale = 1.0_wp

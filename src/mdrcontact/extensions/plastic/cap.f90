@@ -41,6 +41,7 @@ module mdrcontact_plastic_cap
         type(contact_t) :: contact
         !> H [modulus]
         real(wp) :: hardness = 0.0_wp
+        !> whether a maker has made it
         logical :: is_made = .false.
         type(hats_t), private :: hats(2)
     contains
@@ -165,6 +166,7 @@ contains
         class(cap_t), intent(in), target :: self
         !> see at
         integer, intent(in) :: given
+        !> radii [length], depths [length] or forces, > 0
         real(wp), intent(in) :: values(:)
         !> as many
         type(cap_state_t), intent(out) :: found(:)

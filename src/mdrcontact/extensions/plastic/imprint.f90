@@ -25,6 +25,7 @@ module mdrcontact_plastic_imprint
 
     !> A body and what the largest load has left on it. Immutable once created.
     type :: imprint_t
+        !> the medium that unloads
         type(medium_t) :: medium
         !> the effective indenter; its depth counts from the end of contact
         type(imprint_profile_t) :: profile
@@ -346,8 +347,9 @@ contains
         class(imprint_t), intent(in) :: self
         !> > 0 of each layer from the surface and of the half-space last, infinite where it does not yield [modulus]
         real(wp), intent(in) :: yield_stress(:)
-        !> the largest [1] and the layer where it is, 0 the first
+        !> the largest [1]
         real(wp), intent(out) :: ratio
+        !> the layer where it is, 0 the first
         integer, intent(out) :: layer
         type(error_t), allocatable, intent(out) :: error
         type(contact_t), target :: contact

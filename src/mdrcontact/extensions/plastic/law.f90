@@ -142,6 +142,7 @@ contains
     subroutine steps(self, contacts, threads, error)
         class(plastic_law_t), intent(in), target :: self
         type(plastic_steps_t), intent(in) :: contacts
+        !> >= 0
         integer, intent(in) :: threads
         type(error_t), allocatable, intent(out) :: error
         type(work_t) :: work
@@ -244,6 +245,7 @@ contains
         real(wp), intent(in), contiguous :: depth(:)
         !> (memory_size(), n)
         real(wp), intent(in), contiguous, target :: memory(:, :)
+        !> as many [modulus length^3]
         real(wp), intent(inout), contiguous :: stored(:), dissipated(:)
         type(error_t), allocatable, intent(out) :: error
         type(plastic_view_t) :: view
@@ -338,6 +340,7 @@ contains
         class(plastic_law_t), intent(in) :: self
         !> the reduced mass > 0 [mass], and the speed > 0 at initial contact; mass speed^2 in [modulus length^3]
         real(wp), intent(in) :: mass, speed
+        !> [1]
         real(wp), intent(out) :: coefficient
         type(error_t), allocatable, intent(out) :: error
         type(path_t) :: path

@@ -38,11 +38,13 @@ module mdrcontact_plastic_overload
 
     !> Yield stresses below an elastic contact. It never changes.
     type :: overload_t
+        !> the elastic contact
         type(contact_t) :: contact
         !> Y of the layers, top to bottom, and of what lies below them [modulus]; infinite where it does not yield
         real(wp), allocatable :: yield_stress(:)
         !> thickness of the surface layer [length]; huge() without layers
         real(wp) :: thickness = huge(1.0_wp)
+        !> whether a maker has made it
         logical :: is_made = .false.
         type(virgin_t), private :: virgin
     contains
@@ -140,6 +142,7 @@ contains
         class(overload_t), intent(in), target :: self
         !> see at
         integer, intent(in) :: given
+        !> radii [length], depths [length] or forces, > 0
         real(wp), intent(in) :: values(:)
         !> as many
         type(overload_state_t), intent(out) :: found(:)

@@ -20,6 +20,7 @@ module mdrcontact_plastic_yielding
     !> A material and its yield stress over the plastic strain: linear between the points, constant below and above them. Without
     !> points it does not yield.
     type :: yielding_t
+        !> the elastic material
         type(material_t) :: material
         !> plastic strains [1], rising, and the yield stress at each [modulus], not falling
         real(wp), allocatable :: strain(:), stress(:)
