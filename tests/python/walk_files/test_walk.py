@@ -20,6 +20,7 @@ NEVER = {
     ("the file", "medium"): "cannot be left out, and its keys are walked",
     ("the file", "conduction"): "cannot be left out where it is used, and its keys are walked",
     ("the file", "history"): "cannot be left out where it is used, and its keys are walked",
+    ("the file", "imprint"): "cannot be left out where it is used, and its keys are walked",
     ("the file", "wear"): "cannot be left out where it is used, and its keys are walked",
     ("medium", "type"): "another type wants other keys: all types are cases",
     ("medium", "coating"): "cannot be left out, and its keys are walked",
