@@ -192,6 +192,8 @@ contains
 
         last = ring - 3
         inner = last - inner_ring
+        ! rings that are worn off touch without pressure
+        if (min(pressure(inner), pressure(last)) <= 0.0_wp) return
         exponent = log(pressure(inner)/pressure(last))/log((radius - radii(inner))/(radius - radii(last)))
         exponent = min(max(exponent, 0.0_wp), 0.5_wp)
         roots = gaps**(1.0_wp/(1.0_wp + exponent))
