@@ -137,8 +137,8 @@ NEVER = {
     "lammps.table.branch",
     "overclosure.table.branch",
 }
-"""Accuracies, ranges beyond which the answer is the same, branches without adhesion, the frequency of an elastic body, and a yield stress
-that decides whether a rule holds."""
+"""Accuracies, ranges beyond which the answer is the same, branches without adhesion, the frequency of an elastic body,
+and a yield stress that decides whether a rule holds."""
 
 
 @pytest.mark.parametrize("scene", [scene for scene in SCENES if scene.quick], ids=lambda scene: scene.name)

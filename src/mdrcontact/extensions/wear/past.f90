@@ -26,8 +26,8 @@ module mdrcontact_wear_past
     integer, parameter :: saved_numbers = 7, saved_of_disc = 6
     !> Relative deviation of two contacts that are the same: the same numbers on another machine.
     real(wp), parameter :: same = 1.0e-6_wp
-    !> Relative residual of a sum of products. Those of the schemes are up to 0.4 of the depth and 0.4 of the work, with 16 intervals
-    !> under a flat end or an edge; these limits reject only numbers of another order of magnitude.
+    !> Relative residual of a sum of products. Those of the schemes are up to 0.4 of the depth and 0.4 of the work, with 16
+    !> intervals under a flat end or an edge; these limits reject only numbers of another order of magnitude.
     real(wp), parameter :: rounding = 1.0e-6_wp, of_depth = 1.0_wp, of_work = 0.75_wp
     !> Pressures and loads below minus so many times the mean pressure and the largest load are not errors of the hats, which
     !> overshoot where a coating or a flat end ends: by 6 and 0.07.
