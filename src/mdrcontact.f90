@@ -80,6 +80,8 @@ module mdrcontact
     use mdrcontact_medium_load, only: load_t, lower_body, upper_body
     use mdrcontact_medium_solver, only: solved_t, solver_t
     use mdrcontact_medium_values, only: modulus_values
+    use mdrcontact_medium_compliance, only: compliance_limits, compliance_limits_t, surface_compliance
+    use mdrcontact_medium_response, only: new_response, point_response, rectangle_response, response_t
     use mdrcontact_medium_gao, only: gao_nu_effective, gao_nu_given, gao_nu_substrate, gao_nu_surface, gao_options_t, gao_t, &
                                      new_gao, new_gao_layered
     use mdrcontact_medium_bec, only: bec_t, new_bec

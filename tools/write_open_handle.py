@@ -6,6 +6,7 @@
 CORE = [
     ("mdr_profile", "profile_t", "mdrcontact_profile", "class"),
     ("mdr_body", "any_body_t", "mdrcontact_api_any_body", "type"),
+    ("mdr_response", "response_t", "mdrcontact_medium_response", "type"),
     ("mdr_medium", "medium_t", "mdrcontact_medium", "type"),
     ("mdr_contact", "contact_t", "mdrcontact_contact", "type"),
     ("mdr_contact", "relaxing_contact_t", "mdrcontact_contact_relaxing_contact", "type"),

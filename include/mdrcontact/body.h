@@ -185,7 +185,7 @@ enum mdr_load_kind {
  *  @param load       one of enum mdr_load_kind; only MDR_LOAD_NORMAL if the surface is not bare
  *  @param omega      angular frequency >= 0 for a viscoelastic body, 0: relaxed; ignored for an elastic one [1/time]
  *  @param n          number of wavenumbers
- *  @param k          [n] > 0 [1/length]
+ *  @param k          [n] > 0; 0 also if the base is rigid, where C is finite [1/length]
  *  @param out        [n] real parts [length/modulus]
  *  @param imaginary  [n] or NULL: imaginary parts, <= 0; 0 for elastic bodies
  *  @return also MDR_EINVALID for other bodies, MDR_EDOMAIN if C is infinite, as for a fluid at omega = 0
@@ -196,6 +196,81 @@ enum mdr_load_kind {
  *  @endcode
  */
 int mdr_body_compliance(const mdr_body *body, int load, double omega, int n, const double k[], double out[], double imaginary[]);
+
+/** Compute the limits of the compliance under a pressure: k C/2 of very short and of very long waves, and what the layers add to the
+ *  half-space of the base.
+ *  @param body         body that is neither rigid nor power-law graded
+ *  @param omega        as of mdr_body_compliance() [1/time]
+ *  @param out          [3] 1/E0* of the surface, 0 under a surface with tension or a plate [1/modulus]; 1/E* of the base, 0 if it is
+ *                      rigid [1/modulus]; C - 2/(E* k) with this E* at k = 0, which is C itself if the base is rigid
+ *                      [length/modulus]
+ *  @param imaginary    [3] or NULL: imaginary parts; 0 for elastic bodies
+ *  @return also MDR_EINVALID for other bodies, MDR_EDOMAIN as of mdr_body_compliance()
+ *  @code
+ *  double limits[3];
+ *  status = mdr_body_compliance_limits(film, 0.0, limits, NULL);
+ *  @endcode
+ */
+int mdr_body_compliance_limits(const mdr_body *body, double omega, double out[3], double imaginary[3]);
+
+/** The displacement of a surface in space. Created by mdr_response_new(). Immutable. */
+typedef struct mdr_response mdr_response;
+
+/** Fit k C(k)/2 of a body by 1/E0* + sum a_i exp(-z_i k), whose displacements in space are elementary. It takes 60, 120 or 240
+ *  exponentials. The error is checked between the wavenumbers of the fit and beyond them. Create it once for a body.
+ *  @param body       body that is neither rigid nor power-law graded; a viscoelastic body has relaxed
+ *  @param tolerance  largest error of k C/2 over its largest value, > 0 [1]
+ *  @param out        receives the handle
+ *  @return also MDR_ENOCONVERGENCE if the fit misses the tolerance, MDR_EINVALID for other bodies
+ *  @code
+ *  mdr_response *surface = NULL;
+ *  status = mdr_response_new(film, 1e-8, &surface);
+ *  MDR_FREE(surface);
+ *  @endcode
+ */
+int mdr_response_new(const mdr_body *body, double tolerance, mdr_response **out);
+
+/** Query the error of the fit and the number of its exponentials.
+ *  @param response   response of a surface
+ *  @param tolerance  receives the largest error of k C/2 over its largest value [1]
+ *  @param images     or NULL: receives the number of exponentials; 0 for a half-space
+ *  @code
+ *  double error;
+ *  status = mdr_response_about(response, &error, NULL);
+ *  @endcode
+ */
+int mdr_response_about(const mdr_response *response, double *tolerance, int *images);
+
+/** Compute the normal displacement of the surface under a unit point force, 1/(pi E* r) on a homogeneous body.
+ *  @param response  response of a surface
+ *  @param n         number of distances
+ *  @param r         [n] distances from the force > 0 [length]
+ *  @param out       [n] displacements per force [1/(modulus length)]
+ *  @code
+ *  const double r[2] = {1e-7, 1e-6};
+ *  double u[2];
+ *  status = mdr_response_point(response, 2, r, u);
+ *  @endcode
+ */
+int mdr_response_point(const mdr_response *response, int n, const double r[], double out[]);
+
+/** Compute the normal displacement of the surface under a unit pressure on a rectangle, which is exact for the fit at every size of
+ *  the rectangle. Boundary-element codes on a free domain need it for one pixel.
+ *  @param response  response of a surface
+ *  @param width     side along x > 0 [length]
+ *  @param height    side along y > 0 [length]
+ *  @param n         number of points
+ *  @param x         [n] from the centre of the rectangle [length]
+ *  @param y         [n] [length]
+ *  @param out       [n] displacements per pressure [length/modulus]
+ *  @code
+ *  const double x[2] = {0.0, 1e-6}, y[2] = {0.0, 0.0};
+ *  double u[2];
+ *  status = mdr_response_rectangle(response, 1e-7, 1e-7, 2, x, y, u);
+ *  @endcode
+ */
+int mdr_response_rectangle(const mdr_response *response, double width, double height, int n, const double x[], const double y[],
+                           double out[]);
 
 #ifdef __cplusplus
 }

@@ -5,13 +5,26 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from functools import partial
-from typing import Any, TypeVar
+from functools import lru_cache, partial
+from typing import Any, NamedTuple, TypeVar
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _layout
-from .._boundary import ComplexOrArray, FloatOrArray, Handle, complex_values, evaluate, native, number, numbers, words_of
+from .._boundary import (
+    ComplexOrArray,
+    FloatOrArray,
+    Handle,
+    call,
+    complex_values,
+    evaluate,
+    native,
+    number,
+    numbers,
+    together,
+    words_of,
+)
 from .._choices import nearest
 from .._parameters import WithParameters
 from ..errors import InvalidArgumentError
@@ -22,6 +35,26 @@ from .viscoelastic import is_viscoelastic
 Self = TypeVar("Self", bound="Medium")
 
 _LOADS = words_of(_layout.LOAD_NORMAL, _layout.LOAD_SHEAR, _layout.LOAD_TWIST)
+
+
+class ComplianceLimits(NamedTuple):
+    """Limits of the compliance C(k) of a surface under a pressure.
+
+    Near k = 0, `C = 2 long/k + rest`.
+    """
+
+    short: float | complex
+    """k C/2 of short waves, 1/E0* of the surface; 0 under a surface with tension or a plate [1/modulus]."""
+    long: float | complex
+    """k C/2 of long waves, 1/E* of the base; 0 on a rigid base [1/modulus]."""
+    rest: float | complex
+    """C - 2 long/k at k = 0: what the layers add, C itself on a rigid base [length/modulus]."""
+
+
+@lru_cache(maxsize=64)
+def _response(body: Handle, tolerance: float) -> Handle:
+    """Response in space of a body, which many points share."""
+    return Handle(native.response_new(body, tolerance))
 
 
 @dataclass(frozen=True, repr=False)
@@ -169,7 +202,7 @@ class Medium(WithParameters):
         Parameters
         ----------
         k : array_like
-            Wavenumbers > 0, any shape [1/length].
+            Wavenumbers > 0, any shape; 0 also on a rigid base, where C is finite [1/length].
         load : {"normal", "shear", "twist", "flux"}, optional
             "normal": a pressure, 2/(E* k) on a homogeneous body. "shear": a traction of one direction along the surface, averaged
             over the directions of the wave, (2 - nu)/(2 G k). "twist": a traction across the wave, 1/(G k). "flux": a current or
@@ -212,6 +245,161 @@ class Medium(WithParameters):
             for body in self._bodies()
         )
         return both if self._relaxes() else both.real
+
+    def compliance_limits(self, omega: float = 0.0) -> ComplianceLimits:
+        """Return the limits of the compliance C(k) under a pressure.
+
+        Parameters
+        ----------
+        omega : float, optional
+            Angular frequency of a viscoelastic medium, 0 for the relaxed one [1/time].
+
+        Returns
+        -------
+        ComplianceLimits
+            `short` and `long`, k C/2 of short and of long waves [1/modulus], and `rest`, C - 2 long/k at k = 0 [length/modulus].
+            They are complex for relaxing media.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The medium is given by its modulus alone, is graded by a power law, is rigid or poroelastic, or omega < 0.
+
+        Notes
+        -----
+        The limits of a pair are the sums over both bodies.
+
+        Examples
+        --------
+        >>> film = mdr.Layered([(mdr.Elastic(2.0, 0.3), 1.0)], mdr.RIGID)
+        >>> limits = film.compliance_limits()
+        >>> print(round(limits.short, 6), limits.long, round(limits.rest, 6), round(film.compliance(0.0), 6))
+        0.455 0.0 0.371429 0.371429
+        """
+        self._check_pores("compliance_limits")
+        parts = [call(native.body_compliance_limits, body, number("omega", omega)) for body in self._bodies()]
+        real, imaginary = np.sum(np.array(parts), axis=0)
+        return ComplianceLimits(*(real + 1j * imaginary if self._relaxes() else real).tolist())
+
+    def point_response(self, r: ArrayLike, tolerance: float = 1e-8) -> FloatOrArray:
+        """Return the normal surface displacement under a unit point force.
+
+        Parameters
+        ----------
+        r : array_like
+            Distances from the force > 0, any shape [length].
+        tolerance : float, optional
+            Largest error of k C/2 over its largest value, > 0. The response is a sum of 60, 120 or 240 exponentials in the
+            wavenumber, as the tolerance takes.
+
+        Returns
+        -------
+        float or ndarray
+            Displacement per force, in the shape of `r`; 1/(pi E* r) on a homogeneous body [1/(modulus length)].
+
+        Raises
+        ------
+        InvalidArgumentError
+            The medium is given by its modulus alone, is graded by a power law, is rigid or poroelastic, or a distance is not
+            greater than 0.
+        ConvergenceError
+            The sum of exponentials misses the tolerance.
+
+        Notes
+        -----
+        A viscoelastic medium has relaxed. The response of a pair is the sum over both bodies, the approach of their surfaces.
+
+        Examples
+        --------
+        >>> film = mdr.Coated(mdr.Elastic(10.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3))
+        >>> print(np.round(film.point_response([0.1, 1.0, 10.0]), 6))
+        [0.503216 0.2083   0.028892]
+        """
+        return sum(evaluate("r", r, partial(native.response_point, fit)) for fit in self._responses(tolerance))
+
+    def rectangle_response(
+        self, x: ArrayLike, y: ArrayLike, size: float | tuple[float, float], tolerance: float = 1e-8
+    ) -> FloatOrArray:
+        """Return the surface displacement under a unit pressure on a rectangle.
+
+        It is normal to the surface, and the centre of the rectangle is the origin. Boundary-element codes on a domain without
+        neighbours need the response of a pixel.
+
+        Parameters
+        ----------
+        x, y : array_like
+            Points, shapes that broadcast [length].
+        size : float or tuple of float
+            Width along x and height along y, or the side of a square, > 0 [length].
+        tolerance : float, optional
+            As of `point_response`.
+
+        Returns
+        -------
+        float or ndarray
+            Displacement per pressure, in the shape of x and y [length/modulus].
+
+        Raises
+        ------
+        InvalidArgumentError
+            As of `point_response`, or a side is not greater than 0.
+        ConvergenceError
+            The sum of exponentials misses the tolerance.
+
+        Notes
+        -----
+        The displacement of each exponential is exact for every size of the rectangle.
+
+        Examples
+        --------
+        >>> film = mdr.Coated(mdr.Elastic(10.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3))
+        >>> print(np.round(film.rectangle_response([0.0, 1.0], 0.0, 0.1), 6))
+        [0.011999 0.002083]
+        """
+        points = together(x=x, y=y)
+        sides = numbers("size", size)
+        if sides.shape not in ((), (2,)):
+            raise InvalidArgumentError(f"size = {size!r}: it must be a side, or a width and a height")
+        width, height = np.broadcast_to(sides, 2).tolist()
+        up = numbers("y", points[1]).ravel()
+
+        def displacement(fit: Handle, along: Any) -> Any:
+            return native.response_rectangle(fit, width, height, along, up if up.size else along)
+
+        return sum(evaluate("x", points[0], partial(displacement, fit)) for fit in self._responses(tolerance))
+
+    def response_error(self, tolerance: float = 1e-8) -> float:
+        """Return the error of the fit behind `point_response` and `rectangle_response`.
+
+        Parameters
+        ----------
+        tolerance : float, optional
+            As of `point_response`.
+
+        Returns
+        -------
+        float
+            Largest error of k C/2 over its largest value, found between the wavenumbers of the fit and beyond them; of a pair the
+            larger one of the two bodies. 0 for a half-space.
+
+        Raises
+        ------
+        InvalidArgumentError
+            As of `point_response`.
+        ConvergenceError
+            The sum of exponentials misses the tolerance.
+        """
+        return max(float(call(native.response_about, fit)[0]) for fit in self._responses(tolerance))
+
+    def _responses(self, tolerance: float) -> list[Handle]:
+        """Responses in space of its bodies, each made once."""
+        self._check_pores("the response in space")
+        return [_response(body, number("tolerance", tolerance)) for body in self._bodies()]
+
+    def _check_pores(self, what: str) -> None:
+        """Raise for a gel."""
+        if is_poroelastic(self):
+            raise InvalidArgumentError(f"{what} of a gel is not available. Use a body of its drained or undrained material")
 
     def torsional_stiffness(self, a: ArrayLike) -> FloatOrArray:
         """Return the torsional stiffness M/phi of a contact without slip.

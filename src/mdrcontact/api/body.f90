@@ -4,6 +4,7 @@ module mdrcontact_api_body
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_int8_t, c_loc, c_ptr, c_size_t, &
                                            c_sizeof
     use mdrcontact_api_any_body, only: any_body_t, return_body
+    use mdrcontact_api_arrays, only: check_each_not_negative, check_results
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_layer_t, c_surface_t
@@ -17,11 +18,11 @@ module mdrcontact_api_body
     use mdrcontact_material, only: material_t, new_material, new_transverse
     use mdrcontact_material_transverse, only: by_engineering, by_stiffness
     use mdrcontact_material_rheology, only: new_elastic_rheology, rheology_t
-    use mdrcontact_medium_compliance, only: check_body_surface
+    use mdrcontact_medium_compliance, only: check_body_surface, compliance_limits, compliance_limits_t
     use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
-    public :: mdr_body_layered, mdr_body_wrinkling
+    public :: mdr_body_compliance_limits, mdr_body_layered, mdr_body_wrinkling
 
 contains
 
@@ -76,6 +77,39 @@ contains
         call read_options(error, "surface", structure, c_loc(given), c_sizeof(given))
         surface = surface_t(given%tension, given%bending, given%stretching)
     end subroutine read_surface
+
+    function mdr_body_compliance_limits(body, omega, out, imaginary) result(status) &
+        bind(C, name="mdrcontact_entry_body_compliance_limits")
+        type(c_ptr), value :: body
+        real(c_double), value :: omega
+        real(c_double), intent(inout), optional :: out(*), imaginary(*)
+        integer(c_int) :: status
+        type(any_body_t), pointer :: given
+        type(compliance_limits_t) :: limits
+        complex(wp) :: found(3)
+        type(error_t), allocatable :: error
+
+        call open_handle(body, "body", given, error)
+        call check_each_not_negative(error, "omega", [omega])
+        if (allocated(error)) then
+            status = status_of(error)
+            return
+        end if
+        if (allocated(given%relaxing)) then
+            call compliance_limits(given%relaxing, omega, limits, error)
+        else if (allocated(given%elastic)) then
+            call compliance_limits(given%elastic, given%surface, limits, error)
+        else
+            call raise(error, error_invalid, ": the compliance of rigid and of power-law graded bodies has no limits. Use "// &
+                       "another body", "body")
+        end if
+        found = [limits%short, limits%long, limits%rest]
+        if (.not. allocated(error)) call check_results(error, [real(found), aimag(found)])
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(out)) out(:3) = real(found)
+        if (present(imaginary)) imaginary(:3) = aimag(found)
+    end function mdr_body_compliance_limits
 
     function mdr_body_wrinkling(body, layer, stress, wavelength) result(status) bind(C, name="mdrcontact_entry_body_wrinkling")
         type(c_ptr), value :: body

@@ -150,6 +150,16 @@ def compliance_omega(medium: Any) -> Numbers:
     return {load: medium.compliance(K, load, omega=0.7) for load in ("normal", "shear", "twist")}
 
 
+@answer("Medium.compliance_limits")
+def compliance_limits(medium: Any) -> Numbers:
+    return medium.compliance_limits()._asdict()
+
+
+@answer("Medium.point_response", "Medium.rectangle_response")
+def responses(medium: Any) -> Numbers:
+    return {"point": medium.point_response([0.4, 2.0]), "rectangle": medium.rectangle_response([0.1, 1.0], 0.3, (0.5, 0.8))}
+
+
 @answer("Layered.wrinkling", tolerance=1e-8)
 def wrinkling(medium: Any) -> Numbers:
     found = medium.wrinkling()

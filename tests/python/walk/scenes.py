@@ -75,7 +75,7 @@ ENGINEERED = mdr.TransverselyIsotropic.from_engineering(1.0, 1.4, 0.3, 0.25, 0.5
 
 MEDIUM = ("modulus", "stiffness")
 ALONG = ("tangential_modulus", "torsional_stiffness")
-WAVES = ("compliance_normal", "compliance_shear", "compliance_twist")
+WAVES = ("compliance_normal", "compliance_shear", "compliance_twist", "compliance_limits", "responses")
 STATES = ("at_depth", "at_force", "at_radius")
 FIELDS = ("pressure", "displacement", "line_load", "energy")
 INSIDE = ("interior", "interior_sliding")

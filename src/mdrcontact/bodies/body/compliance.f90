@@ -33,6 +33,8 @@ module mdrcontact_body_compliance
         procedure(chi_at), deferred :: chi
         !> one_plus_chi of what short waves meet, and what the body adds to it, which decays with the depth of the first interface
         procedure :: split
+        !> the shortest and the longest length in it, 0 of a half-space [length]
+        procedure :: lengths => depths
         !> numbers without a unit that determine it but for length and stiffness; none if that takes too many
         procedure :: key => none
     end type compliance_t
@@ -89,6 +91,13 @@ contains
         call self%chi(k, bare, change)
         bare = 1.0_wp
     end subroutine split
+
+    pure function depths(self) result(lengths)
+        class(compliance_t), intent(in) :: self
+        real(wp) :: lengths(2)
+
+        lengths = [self%first_depth, self%last_depth]
+    end function depths
 
     pure subroutine none(self, values, error)
         class(compliance_t), intent(in) :: self

@@ -37,6 +37,7 @@ module mdrcontact_body_membrane
     contains
         procedure :: chi => chi_at
         procedure :: split
+        procedure :: lengths
         procedure, private :: parts
         procedure :: key
         procedure :: bytes
@@ -123,6 +124,17 @@ contains
             chi(i) = change + (1.0_wp - lost)*bare
         end do
     end subroutine chi_at
+
+    !> With the length of the sheet, where it changes anything.
+    pure function lengths(self)
+        class(membrane_t), intent(in) :: self
+        real(wp) :: lengths(2)
+
+        lengths = [self%first_depth, self%last_depth]
+        if (.not. abs(self%excess) > 0.0_wp) return
+        lengths = [min(self%length, lengths(1)), max(self%length, lengths(2))]
+        if (.not. lengths(1) > 0.0_wp) lengths(1) = self%length
+    end function lengths
 
     !> Compliance of a half-space of the surface material, and the change by the layers.
     subroutine split(self, k, bare, change)
