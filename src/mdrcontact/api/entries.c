@@ -333,6 +333,73 @@ int mdr_body_compliance(const mdr_body *body, int load, double omega, int n, con
     return status;
 }
 
+int mdrcontact_entry_body_compliance_limits(const mdr_body *body, double omega, double out[3], double imaginary[3]);
+int mdr_body_compliance_limits(const mdr_body *body, double omega, double out[3], double imaginary[3])
+{
+    if (!out) return mdrcontact_refuse_null("out");
+    if (arithmetic_is_set()) return mdrcontact_entry_body_compliance_limits(body, omega, out, imaginary);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_body_compliance_limits(body, omega, out, imaginary);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_response_new(const mdr_body *body, double tolerance, mdr_response **out);
+int mdr_response_new(const mdr_body *body, double tolerance, mdr_response **out)
+{
+    if (!out) return mdrcontact_refuse_null("out");
+    if (arithmetic_is_set()) return mdrcontact_entry_response_new(body, tolerance, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_response_new(body, tolerance, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_response_about(const mdr_response *response, double *tolerance, int *images);
+int mdr_response_about(const mdr_response *response, double *tolerance, int *images)
+{
+    if (!tolerance) return mdrcontact_refuse_null("tolerance");
+    if (arithmetic_is_set()) return mdrcontact_entry_response_about(response, tolerance, images);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_response_about(response, tolerance, images);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_response_point(const mdr_response *response, int n, const double r[], double out[]);
+int mdr_response_point(const mdr_response *response, int n, const double r[], double out[])
+{
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
+    if (n > 0 && !r) return mdrcontact_refuse_null("r");
+    if (n > 0 && !out) return mdrcontact_refuse_null("out");
+    if (arithmetic_is_set()) return mdrcontact_entry_response_point(response, n, r, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_response_point(response, n, r, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_response_rectangle(const mdr_response *response, double width, double height, int n, const double x[],
+        const double y[], double out[]);
+int mdr_response_rectangle(const mdr_response *response, double width, double height, int n, const double x[], const double y[],
+        double out[])
+{
+    if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
+    if (n > 0 && !x) return mdrcontact_refuse_null("x");
+    if (n > 0 && !y) return mdrcontact_refuse_null("y");
+    if (n > 0 && !out) return mdrcontact_refuse_null("out");
+    if (arithmetic_is_set()) return mdrcontact_entry_response_rectangle(response, width, height, n, x, y, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_response_rectangle(response, width, height, n, x, y, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_medium_contact_modulus(double contact_modulus, mdr_medium **out);
 int mdr_medium_contact_modulus(double contact_modulus, mdr_medium **out)
 {

@@ -3,8 +3,8 @@
 module mdrcontact_api_entries
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
     use mdrcontact_api_any_body, only: any_body_t, return_elastic, return_solved
-    use mdrcontact_api_arrays, only: check_array, check_each_not_negative, check_each_positive, check_each_within, &
-        check_not_empty, check_results, check_results_or_infinity, make_room, return_parts
+    use mdrcontact_api_arrays, only: check_array, check_each_finite, check_each_not_negative, check_each_positive, &
+        check_each_within, check_not_empty, check_results, check_results_or_infinity, make_room, return_parts
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_closed_forms, only: check_constants, constant_count, formulas, variable_name
     use mdrcontact_api_handles, only: return_object, return_solver
@@ -38,6 +38,7 @@ module mdrcontact_api_entries
     use mdrcontact_medium_compliance, only: surface_compliance
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus, new_rigid
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
+    use mdrcontact_medium_response, only: new_response, point_response, rectangle_response, response_t
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_tabulated, only: new_medium_from_function, new_tabulated_medium, tabulated_medium_t
     use mdrcontact_model, only: model_options_t
@@ -76,6 +77,10 @@ module mdrcontact_api_entries
     public :: mdr_body_power_graded
     public :: mdr_body_rigid
     public :: mdr_body_compliance
+    public :: mdr_response_new
+    public :: mdr_response_about
+    public :: mdr_response_point
+    public :: mdr_response_rectangle
     public :: mdr_medium_contact_modulus
     public :: mdr_medium_new
     public :: mdr_medium_pair
@@ -474,7 +479,7 @@ contains
         call open_handle(body, "body", body_inside, error)
         if (.not. allocated(error)) call check_code(error, "load", load, [normal_load, shear_load, twist_load])
         if (.not. allocated(error)) call check_each_not_negative(error, "omega", [omega])
-        if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "k", k(:n))
+        if (.not. allocated(error) .and. n > 0) call check_each_not_negative(error, "k", k(:n))
         if (.not. allocated(error)) call make_room(error, n, wavenumbers)
         if (.not. allocated(error) .and. n > 0) wavenumbers(:) = k(:n)
         call make_room(error, n, out_values)
@@ -493,6 +498,100 @@ contains
         call return_parts(error, out_values, out, imaginary)
         status = status_of(error)
     end function mdr_body_compliance
+
+    function mdr_response_new(body, tolerance, out) result(status) &
+        bind(C, name="mdrcontact_entry_response_new")
+        type(c_ptr), value :: body
+        real(c_double), value :: tolerance
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(response_t), allocatable :: made
+        class(*), allocatable :: object
+        type(any_body_t), pointer :: body_inside
+        type(error_t), allocatable :: error
+
+        allocate (made)
+        call open_handle(body, "body", body_inside, error)
+        if (.not. allocated(error)) then
+            if (allocated(body_inside%relaxing)) call new_response(made, body_inside%relaxing, tolerance, error)
+        end if
+        if (.not. allocated(error)) then
+            if (allocated(body_inside%elastic)) call new_response(made, body_inside%elastic, body_inside%surface, tolerance, &
+                error)
+        end if
+        if (.not. allocated(error)) then
+            if (allocated(body_inside%solved)) call raise(error, error_invalid, &
+                ": the response of rigid and of power-law graded bodies "// "is not available. Use another body", "body")
+        end if
+        call move_alloc(made, object)
+        status = return_object(object, out, error)
+    end function mdr_response_new
+
+    function mdr_response_about(response, tolerance, images) result(status) &
+        bind(C, name="mdrcontact_entry_response_about")
+        type(c_ptr), value :: response
+        real(c_double), intent(inout), optional :: tolerance
+        integer(c_int), intent(inout), optional :: images
+        integer(c_int) :: status, images_value
+        type(response_t), pointer :: response_inside
+        real(c_double) :: tolerance_value
+        type(error_t), allocatable :: error
+
+        call open_handle(response, "response", response_inside, error)
+        tolerance_value = 0.0_c_double
+        if (.not. allocated(error)) tolerance_value = response_inside%error
+        if (.not. allocated(error)) images_value = size(response_inside%depth)
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(tolerance)) tolerance = tolerance_value
+        if (present(images)) images = images_value
+    end function mdr_response_about
+
+    function mdr_response_point(response, n, r, out) result(status) &
+        bind(C, name="mdrcontact_entry_response_point")
+        type(c_ptr), value :: response
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: r(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(response_t), pointer :: response_inside
+        real(c_double), allocatable :: out_values(:)
+        type(error_t), allocatable :: error
+
+        call open_handle(response, "response", response_inside, error)
+        if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "r", r(:n))
+        call make_room(error, n, out_values)
+        if (.not. allocated(error) .and. n > 0) call point_response(response_inside, r(:n), out_values)
+        if (.not. allocated(error)) call check_results(error, out_values)
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(out)) out(:n) = out_values
+    end function mdr_response_point
+
+    function mdr_response_rectangle(response, width, height, n, x, y, out) result(status) &
+        bind(C, name="mdrcontact_entry_response_rectangle")
+        type(c_ptr), value :: response
+        real(c_double), value :: width, height
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: x(*), y(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(response_t), pointer :: response_inside
+        real(c_double), allocatable :: out_values(:)
+        type(error_t), allocatable :: error
+
+        call open_handle(response, "response", response_inside, error)
+        if (.not. allocated(error) .and. n > 0) call check_each_finite(error, "x", x(:n))
+        if (.not. allocated(error) .and. n > 0) call check_each_finite(error, "y", y(:n))
+        call make_room(error, n, out_values)
+        if (.not. allocated(error) .and. n > 0) then
+            call rectangle_response(response_inside, width, height, x(:n), y(:n), out_values, wanted_threads(), error)
+        end if
+        if (.not. allocated(error)) call check_results(error, out_values)
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(out)) out(:n) = out_values
+    end function mdr_response_rectangle
 
     function mdr_medium_contact_modulus(contact_modulus, out) result(status) &
         bind(C, name="mdrcontact_entry_medium_contact_modulus")

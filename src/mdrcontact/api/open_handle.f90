@@ -14,6 +14,7 @@ module mdrcontact_api_open_handle
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_material_rheology, only: rheology_t
     use mdrcontact_medium, only: medium_t, refuse_states
+    use mdrcontact_medium_response, only: response_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -24,6 +25,7 @@ module mdrcontact_api_open_handle
         module procedure &
             open_profile, &
             open_any_body, &
+            open_response, &
             open_medium, &
             open_contact, &
             open_relaxing_contact, &
@@ -73,6 +75,24 @@ contains
             call refuse_kind(name, "mdr_body", error)
         end select
     end subroutine open_any_body
+
+    subroutine open_response(handle, name, object, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(response_t), pointer, intent(out) :: object
+        type(error_t), allocatable, intent(inout) :: error
+        class(*), pointer :: inside
+
+        nullify (object)
+        call look_inside(handle, name, "mdr_response", inside, error)
+        if (allocated(error)) return
+        select type (inside)
+        type is (response_t)
+            object => inside
+        class default
+            call refuse_kind(name, "mdr_response", error)
+        end select
+    end subroutine open_response
 
     subroutine open_medium(handle, name, object, error)
         type(c_ptr), intent(in) :: handle
