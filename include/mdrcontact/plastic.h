@@ -167,10 +167,10 @@ int mdr_yielding_new(double E, double nu, int n, const double strain[], const do
  *  @param E             Young's modulus > 0 [modulus]
  *  @param nu            Poisson's ratio, 0 to 0.49 [1]
  *  @param hardness      H > 0 [modulus]
- *  @param radius_ratio  a/R of that indentation [1]: H = Y P(a E* / (R Y)). 0: not known, H = 2.8 Y
+ *  @param radius_ratio  a/R of that indentation, at most 0.3 [1]: H = Y P(a E* / (R Y)). 0: not known, H = 2.8 Y
  *  @param yield_stress  receives Y [modulus]
  *  @param error         receives the relative error of Y; 0.08 if a/R is not known, as P is 2.6 to 3.01 from a E* / (R Y) = 23 on [1]
- *  @return also MDR_EDOMAIN if nothing yields under H, or if a E* / (R Y) exceeds 250
+ *  @return also MDR_EDOMAIN if nothing yields under H, if a E* / (R Y) exceeds 250, or a/R 0.3
  *  @code
  *  double Y, error;
  *  status = mdr_yield_stress_from_hardness(200e9, 0.3, 2.8e9, 0.0, &Y, &error);

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -46,6 +47,31 @@ def test_the_unloading_of_hertz_in_closed_form():
     assert harder.reverse_yield[0].ratio == pytest.approx(0.5 * one.ratio, rel=1e-6)
     assert not any("R_Y" in words for words in harder.warnings)
     assert unloading(medium=SOLID, free=["E"]).reverse_yield == ()
+
+
+def test_a_hardness_gives_its_yield_stress_and_error():
+    known = mdr.plastic.yield_stress_from_hardness(METAL, 6.72e9)
+    (exact,) = unloading(medium=SOLID, free=["E"], yield_stresses=[2.4e9]).reverse_yield
+    result = unloading(medium=SOLID, free=["E"], yield_stresses=[known])
+    (one,) = result.reverse_yield
+    assert one == pytest.approx(exact._replace(error=0.08), rel=1e-12) and exact.error == 0.0
+    words = f"{one.ratio:.2f} ± {0.08 * one.ratio:.2f}"
+    assert f"layer 0 {words}" in result.summary() and any(f"R_Y = {words} in layer 0" in text for text in result.warnings)
+    assert result.to_dict()["reverse_yield"][0]["error"] == 0.08
+    with pytest.raises(InvalidArgumentError, match=r"yield_stresses\[0\] = nan"):
+        unloading(medium=SOLID, free=["E"], yield_stresses=[known._replace(yield_stress=np.nan)])
+
+
+def test_a_loading_is_plastic_beyond_the_error_of_its_yield_stress():
+    depth = np.linspace(1e-9, 100e-9, 60)
+    force = np.asarray(mdr.Contact(BALL, SOLID).at_depth(depth).force)
+    data = mdi.ForceDepth(depth, force * (1.0 + 1e-3 * np.random.default_rng(0).standard_normal(60)))
+    stress = HERTZ * 1.5 * force[-1] / (np.pi * 10e-6 * 100e-9)
+    for ratio, is_plastic in ((1.04, False), (1.2, True)):
+        known = mdr.plastic.yield_stress_from_hardness(METAL, 2.8 * stress / ratio)
+        result = mdi.fit(data, BALL, SOLID, ["E"], yield_stresses=[known])
+        assert result.yield_ratio == pytest.approx(ratio / 1.08, rel=2e-3) and result.is_plastic is is_plastic
+        assert mdi.fit(data, BALL, SOLID, ["E"], yield_stresses=[known.yield_stress]).is_plastic
 
 
 def test_the_compliance_of_the_tip_is_not_that_of_the_body():
@@ -123,11 +149,17 @@ def test_problem_files_give_the_yield_stresses(tmp_path, capsys):
     text = (
         '[indenter]\nshape = "berkovich"\n[medium]\ntype = "coated"\n'
         'coating = { E = "400 GPa", nu = 0.25, thickness = "300 nm" }\n'
-        'substrate = { E = "70 GPa", nu = 0.33, yield_stress = "STRESS" }\n'
+        'substrate = { E = "70 GPa", nu = 0.33, STRESS }\n'
         '[data]\nkind = "unloading"\n[fit]\nfree = ["coating.E"]\n'
     )
-    for stress, status, words in (("5 GPa", 0, "reverse yield ratio R_Y: layer 1 0."), ("150 MPa", 1, "34 to 43 %")):
+    for stress, status, words in (
+        ('yield_stress = "5 GPa"', 0, r"reverse yield ratio R_Y: layer 1 0\.\d\d; unloading"),
+        ('hardness = "14 GPa"', 0, r"reverse yield ratio R_Y: layer 1 0\.\d\d ± 0\.0\d; unloading"),
+        ('hardness = "420 MPa"', 1, "34 to 43 %"),
+        ('yield_stress = "150 MPa"', 1, "34 to 43 %"),
+        ('yield_stress = "5 GPa", hardness = "14 GPa"', 2, r"\[medium.substrate\]: yield_stress and hardness exclude each other."),
+    ):
         (tmp_path / "p.toml").write_text(text.replace("STRESS", stress), encoding="utf-8")
         assert main(["fit", str(tmp_path / "indent.csv"), "--problem", str(tmp_path / "p.toml")]) == status
         said = capsys.readouterr()
-        assert words in said.out + said.err
+        assert re.search(words, said.out + said.err)

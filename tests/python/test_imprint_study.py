@@ -14,7 +14,8 @@ from mdrcontact import problem, studies
 from mdrcontact.cli import main
 from mdrcontact.problem import ProblemError
 
-METAL = {"E": "70 GPa", "nu": 0.33, "yield_stress": "0.35 GPa"}
+SOFT = {"E": "70 GPa", "nu": 0.33}
+METAL = {**SOFT, "yield_stress": "0.35 GPa"}
 LARGEST = {"radius": "1 um", "force": "2.84 mN", "depth": "61.5 nm", "residual_depth": "38.8 nm"}
 TABLES = {
     "indenter": {"shape": "paraboloid", "radius": "10 um"},
@@ -144,6 +145,14 @@ def test_more_than_three_is_refused_and_more_than_two_warned_of():
         (changed(compute={"forces": ["3 mN"]}), "3"),
         (changed(adhesion={"work_of_adhesion": "0.1 J/m^2", "cohesive_stress": "10 MPa"}), "Leave out speed"),
         (changed(medium={"material": {**METAL, "yield_stress": "0 GPa"}}), "yield_stress = '0 GPa': it must be greater than 0"),
+        (changed(medium={"material": {**METAL, "hardness": "1 GPa"}}), "yield_stress and hardness exclude each other"),
+        (changed(medium={"material": {**METAL, "radius_ratio": 0.1}}), "radius_ratio needs hardness"),
+        (changed(medium={"material": {**SOFT, "hardness": "0 GPa"}}), "hardness = '0 GPa': it must be greater than 0"),
+        (changed(medium={"material": {**SOFT, "hardness": 1.0}}), "hardness = 1.0: it has no unit"),
+        (changed(medium={"material": {**SOFT, "hardness": "1 GPa", "radius_ratio": 0.31}}), "radius_ratio = 0.31: it must be > 0"),
+        (changed(medium={"material": {**SOFT, "hardness": "9 GPa", "radius_ratio": 0.1}}), "Nothing yields at this a/R"),
+        (changed(medium={"material": {**SOFT, "hardness": "1 GPa", "radius_ratio": 0.1, "nu": 0.499}}), "nu = 0.499: it must lie in"),
+        (changed(indenter={"material": {**SOFT, "hardness": "1 GPa"}}), "the indenter must not yield"),
         (changed(indenter={"material": METAL}), "the indenter must not yield"),
         (changed(indenter={"body": {"type": "homogeneous", "material": METAL}}), "the indenter must not yield"),
         (
@@ -175,6 +184,26 @@ def test_other_commands_need_what_to_compute():
     assert given.control.name == "force" and given.control.values[-1] == 2.84e-3
     with pytest.raises(ProblemError, match="compute"):
         problem.read(changed(imprint=None))
+
+
+@pytest.mark.parametrize("ratio", [None, 0.1])
+def test_a_hardness_instead_of_a_yield_stress(ratio):
+    """The same R_Y as with Y by hand, and a note on its error; the overload rule takes it, too."""
+    known = mdr.plastic.yield_stress_from_hardness(mdr.Elastic(70e9, 0.33), 1e9, ratio)
+    keys = {"hardness": "1 GPa", **({"radius_ratio": ratio} if ratio else {})}
+    hard = changed(medium={"type": "homogeneous", "material": {**SOFT, **keys}})
+    by_hand = changed(medium={"material": {**SOFT, "yield_stress": f"{known.yield_stress} Pa"}})
+    found, expected = studies.imprint(problem.read(hard)), studies.imprint(problem.read(by_hand))
+    name = "R_Y of the half-space"
+    assert found.numbers[name].value == pytest.approx(expected.numbers[name].value, rel=1e-14)
+    assert found.problem.yield_stresses == (known,)
+    words = f"MPa, with an error of {100 * known.error:.2g} %"
+    assert words in found.notes["yield stress of the half-space"] and "yield stress of the half-space" not in expected.notes
+    loaded = [{key: value for key, value in tables.items() if key != "imprint"} for tables in (hard, by_hand)]
+    for tables in loaded:
+        tables["compute"] = {"forces": ["2.5 mN"]}
+    left = [studies.imprint(problem.read(tables)).imprint.residual_depth for tables in loaded]
+    assert left[0] == pytest.approx(left[1], rel=1e-12)
 
 
 def test_loading_by_the_yield_stress_leaves_an_imprint():

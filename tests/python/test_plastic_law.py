@@ -573,6 +573,11 @@ def test_yield_stress_from_a_hardness():
         found = yield_stress_from_hardness(steel, hardness, a / R)
         assert found.yield_stress == pytest.approx(1e-5, rel=1e-7)
         assert 0.003 < found.error < 0.011
+    small, steep = (yield_stress_from_hardness(steel, 0.1 * ratio, ratio) for ratio in (0.02, 0.2))
+    assert steep.yield_stress == pytest.approx(10.0 * small.yield_stress, rel=1e-9), "H, Y and a/R in one ratio"
+    assert steep.error / small.error == pytest.approx((0.003 + 1.45 * 0.2**2) / 0.003, rel=1e-9), "Jackson and Green's fall of H"
+    with pytest.raises(mdr.errors.DomainError, match="radius_ratio = 0.31: it must be at most 0.3"):
+        yield_stress_from_hardness(steel, 0.01, 0.31)
     with pytest.raises(mdr.errors.DomainError, match="Nothing yields"):
         yield_stress_from_hardness(steel, 0.5, 0.1)
     with pytest.raises(mdr.errors.DomainError, match="exceeds"):

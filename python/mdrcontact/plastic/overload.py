@@ -280,7 +280,7 @@ class Overload(Value):
         slope = largest / profile.radius if hasattr(profile, "radius") else 0.0
         if slope > _SMALL_SLOPE:
             text = (
-                f"a/R = {slope:.2g}: beyond 0.1 the hardness of spheres falls, here by {145.0 * slope**2:.2g} %, which the rule "
+                f"a/R = {slope:.3g}: beyond 0.1 the hardness of spheres falls, here by {145.0 * slope**2:.2g} %, which the rule "
                 "leaves out. Reduce the load"
             )
             found.append(Caution(text, PlasticityWarning))

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..contact import Contact
 from ..medium import Medium
@@ -26,6 +26,9 @@ from .structure import MapProblem, load_map, read_map_text
 from .tip_file import with_calibration
 from .toml import parse_file, parse_text
 from .wear import Rubbing
+
+if TYPE_CHECKING:
+    from ..plastic import YieldStress
 
 __all__ = ["MapProblem", "Problem", "ProblemError", "load", "load_map", "read", "read_map_text", "read_text", "schema"]
 
@@ -64,7 +67,7 @@ class Problem(NamedTuple):
     wear: Rubbing | None = None
     imprint: Imprinted | None = None
     conduction: Conducting | None = None
-    yield_stresses: tuple[float | None, ...] = ()
+    yield_stresses: tuple[YieldStress | None, ...] = ()
     """of the layers and the substrate of [medium], top to bottom; (): none is given"""
     path: Path | None = None
     """the file; None: the problem is not from a file"""

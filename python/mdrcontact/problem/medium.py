@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .. import medium
 from .._units import (
@@ -28,6 +28,9 @@ from ..medium.models import _WEIGHT_NU, MODELS, OPTIONS
 from ..poroelastic import Poroelastic
 from .field import NOT_NEGATIVE, POISSON, POSITIVE, Field, Range, Table, arguments
 from .section import Section
+
+if TYPE_CHECKING:
+    from ..plastic import YieldStress
 
 
 def _elastic(
@@ -116,22 +119,41 @@ _CONSTANTS = (
     Field("electrical_conductivity_along", "conductivity along the surface; default: isotropic", range=POSITIVE),
     Field("heat_capacity", "heat capacity per volume", range=NOT_NEGATIVE),
 )
-_YIELDING = ("elastic", "axis", "axis by engineering constants")
-"""Kinds of materials that may have a yield stress."""
-_YIELD = Field(
-    "yield_stress",
-    "yield stress, for imprints and fits of unloading; default: none, it does not yield",
-    MODULUS,
-    optional=True,
-    range=POSITIVE,
-    when={"": _YIELDING},
+_STRESS, _HARDNESS, _RATIO = "yield_stress", "hardness", "radius_ratio"
+_ISOTROPIC = {"": ("elastic",)}
+_YIELD = (
+    Field(
+        _STRESS,
+        "yield stress, for imprints and fits of unloading; default: none, it does not yield",
+        MODULUS,
+        optional=True,
+        range=POSITIVE,
+        when={"": ("elastic", "axis", "axis by engineering constants")},
+    ),
+    Field(
+        _HARDNESS,
+        "hardness, instead of yield_stress: that is hardness/2.8 with an error of 8 %",
+        MODULUS,
+        optional=True,
+        range=POSITIVE,
+        when=_ISOTROPIC,
+    ),
+    Field(
+        _RATIO,
+        "contact radius over radius of the sphere that gave hardness; yield_stress is then that of first loading",
+        RATIO,
+        optional=True,
+        range=Range(0.0, 0.3, has_largest=True),
+        when={_HARDNESS: ()},
+    ),
 )
+"""Keys of a material that yields."""
 MATERIAL = Table(
     "constants of a material, or its name",
-    (*arguments({kind: call for kind, (_, call, _) in _KINDS.items()}, "", _MATERIAL_DIMENSIONS, _CONSTANTS), _YIELD),
+    (*arguments({kind: call for kind, (_, call, _) in _KINDS.items()}, "", _MATERIAL_DIMENSIONS, _CONSTANTS), *_YIELD),
     "docs/media.md",
     one_of=(("nu", "bulk_modulus"),),
-    at_most_one_of=(("thermal_conductivity", "electrical_conductivity"),),
+    at_most_one_of=(("thermal_conductivity", "electrical_conductivity"), (_STRESS, _HARDNESS)),
 )
 
 _INTERFACE = Table(
@@ -162,13 +184,15 @@ def read_material(section: Section) -> Any:
     kind = next((kind for kind, one in _KINDS.items() if any(key in section for key in one[2])), "elastic")
     what, call, own = _KINDS[kind]
     keys = f", which has {', '.join(section.arguments(call))}" if own else ""
-    return section.make(call, what + keys, (*_ALONE, *((_YIELD.name,) if kind in _YIELDING else ())))
+    yields = [one.name for one in _YIELD if kind in one.when.get("", _ISOTROPIC[""])]
+    return section.make(call, what + keys, (*_ALONE, *yields))
 
 
 def read_indenter_material(section: Section) -> Any:
     """Return the material of an indenter, which does not yield."""
-    if _YIELD.name in section:
-        raise section.error(_YIELD.name, "the indenter must not yield", "Leave it out")
+    for one in _YIELD:
+        if one.name in section:
+            raise section.error(one.name, "the indenter must not yield", "Leave it out")
     return read_material(section)
 
 
@@ -326,11 +350,26 @@ _STRATA = {"homogeneous": ("material",), "coated": ("coating", "substrate"), "la
 """By type of the medium: its tables of materials, top to bottom."""
 
 
-def read_yield_stresses(section: Section) -> tuple[float | None, ...]:
+def read_yield_stresses(section: Section) -> tuple[YieldStress | None, ...]:
     """Return the yield stress of each layer and the substrate, top to bottom, None for what does not yield; () without any."""
     tables: list[Any] = []
     for key in _STRATA.get(section.value("type"), ()):
         found = section.value(key)
         tables += found if isinstance(found, list) else [found]
-    stresses = tuple(one.value(_YIELD.name) if isinstance(one, Section) else None for one in tables)
+    stresses = tuple(_yield_stress(one) if isinstance(one, Section) else None for one in tables)
     return stresses if any(stress is not None for stress in stresses) else ()
+
+
+def _yield_stress(section: Section) -> YieldStress | None:
+    """Return the yield stress of a material, given or from its hardness; None: it does not yield."""
+    from ..plastic import YieldStress, yield_stress_from_hardness
+
+    if _STRESS in section and _HARDNESS in section:
+        raise section.error(_HARDNESS, "yield_stress and hardness exclude each other", "Keep one", shows=False)
+    if _HARDNESS in section:
+        with section.words():
+            ratio = section.value(_RATIO)
+            return yield_stress_from_hardness(read_material(section), section.value(_HARDNESS), ratio)
+    if _RATIO in section:
+        raise section.error(_RATIO, "radius_ratio needs hardness", "Give both, or leave it out", shows=False)
+    return YieldStress(section.value(_STRESS), 0.0) if _STRESS in section else None

@@ -11,7 +11,7 @@ import numpy as np
 from .._units import ENERGY, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS
 from ..contact import Contact
 from ..panels import Figure, Line, Panel, Rule, along
-from ..plastic import Imprint, Overload
+from ..plastic import Imprint, Overload, YieldStress
 from ..problem import Problem, ProblemError
 from ..problem.compute import Control
 from ..problem.imprint import Imprinted, unloading
@@ -116,13 +116,13 @@ def imprint(problem: Problem, *, progress: Progress | None = None) -> ImprintRes
     (progress or Progress()).step(0, None, "imprint")
     made, control = _imprint(problem)
     contact = made.contact(_work_of_adhesion(problem))
-    stresses, words = _reverse_yield(made, problem.yield_stresses)
+    ratios, notes = _reverse_yield(made, problem.yield_stresses)
     numbers = {
         "largest force": Number(made.force, FORCE),
         "largest depth": Number(made.depth, LENGTH),
         "residual depth": Number(made.residual_depth, LENGTH),
         "recovered work": Number(made.recovered_work, ENERGY),
-        **stresses,
+        **ratios,
     }
     recovered = f"Unloading recovers {numbers['recovered work']} and {Number(made.recovery, LENGTH)} of the depth."
     tables: dict[str, Table] = {
@@ -133,7 +133,7 @@ def imprint(problem: Problem, *, progress: Progress | None = None) -> ImprintRes
     return ImprintResult(
         title=problem.title,
         numbers=numbers,
-        notes={"recovery": recovered, **({"reverse yield": words} if words else {})},
+        notes={"recovery": recovered, **notes},
         tables=tables,
         problem=problem,
         imprint=made,
@@ -146,13 +146,13 @@ def _imprint(problem: Problem) -> tuple[Imprint, Control]:
     if problem.imprint is not None or not problem.yield_stresses:
         given: Imprinted = problem.part("imprint")
         return given.imprint(problem.medium), problem.control
-    rule = Overload(Contact(problem.indenter, problem.medium), _limits(problem.yield_stresses))
+    rule = Overload(Contact(problem.indenter, problem.medium), [y for y, _ in _limits(problem.yield_stresses)])
     made = getattr(rule, f"at_{problem.control.name}")(float(problem.control.values[-1])).imprint()
     return made, unloading(made.force)
 
 
-def _limits(stresses: tuple[float | None, ...]) -> list[float]:
-    return [np.inf if stress is None else stress for stress in stresses]
+def _limits(stresses: tuple[YieldStress | None, ...]) -> list[YieldStress]:
+    return [YieldStress(np.inf, 0.0) if stress is None else stress for stress in stresses]
 
 
 def _work_of_adhesion(problem: Problem) -> float:
@@ -165,19 +165,23 @@ def _work_of_adhesion(problem: Problem) -> float:
     return float(adhesion.work_of_adhesion)
 
 
-def _reverse_yield(made: Imprint, stresses: tuple[float | None, ...]) -> tuple[dict[str, Number], str]:
-    """Return R_Y of each layer that can yield, and what it means; an error above 3."""
+def _reverse_yield(made: Imprint, stresses: tuple[YieldStress | None, ...]) -> tuple[dict[str, Number], dict[str, str]]:
+    """Return R_Y of each layer that can yield, and notes on what it means; an error above 3."""
     if not stresses:
-        return {}, ""
-    limits = np.array(_limits(stresses))
+        return {}, {}
+    limits, errors = np.array(_limits(stresses)).T
     most = made.reverse_yield(limits).ratio
-    found = {}
+    found, notes = {}, {}
     for i in np.flatnonzero(np.isfinite(limits)):
         place = ("half-space" if i == 0 else "substrate") if i == len(limits) - 1 else f"layer {i + 1}"
         alone = np.where(np.arange(len(limits)) == i, limits, np.inf)
         found[f"R_Y of the {place}"] = Number(made.reverse_yield(alone).ratio, RATIO)
+        if errors[i]:
+            words = f"The yield stress of the {place} from its hardness is {Number(float(limits[i]), MODULUS)}"
+            notes[f"yield stress of the {place}"] = f"{words}, with an error of {100.0 * errors[i]:.2g} %. R_Y has the same error."
     meaning = next(words for limit, words in _MEANINGS if most <= limit)
-    return found, f"{', '.join(f'{name}: {number}' for name, number in found.items())}. {meaning}"
+    ratios = ", ".join(f"{name}: {number}" for name, number in found.items())
+    return found, {"reverse yield": f"{ratios}. {meaning}", **notes}
 
 
 def _states(made: Imprint, contact: Contact, control: Control) -> Table:

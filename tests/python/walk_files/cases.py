@@ -48,7 +48,10 @@ NAMED_AXIS = {"E_t": "9.3 GPa", "nu_t": 0.21, "E_z": "5.9 GPa", "nu_tz": 0.23, "
 SPRINGS = {"normal": "4.1 GPa/um", "tangential": "2.3 GPa/um"}
 SURFACE = {"surface_tension": "910 N/m", "surface_bending": "1.7e-9 N*m", "surface_stretching": "2.3e3 N/m"}
 YIELDING = {"yield_stress": "0.53 GPa"}
+INDENTED = {"hardness": "1.21 GPa"}
 IMPRINT = {"radius": "2.3 um", "force": "9.9 mN", "depth": "640 nm", "residual_depth": "61 nm"}
+PRESSED = {"radius": "2.3 um", "uniform": "0.31 GPa", "hertz": "0.43 GPa"}
+UNLOADED = {"forces": ["1.3 mN", "5.1 mN", "8.3 mN"], "depths": None}
 ONE_STEP = {"depths": ["83 nm"]}
 SPHERE = {"title": "walk", "indenter": {"shape": "sphere", "radius": "51 um"}, "compute": {"depths": ["41 nm", "83 nm", "160 nm"]}}
 COATED = merged(SPHERE, {"medium": {"type": "coated", "coating": FILM, "substrate": BASE}})
@@ -361,12 +364,13 @@ CASES = [
     *(
         Case(
             f"imprint {name}",
-            merged(COATED, {"medium": {"coating": YIELDING, "substrate": {"yield_stress": "0.61 GPa"}}, **more}),
+            merged(COATED, {"medium": {"coating": film, "substrate": base}, **more}),
             ("imprint",),
         )
-        for name, more in (
-            ("measured", {"imprint": IMPRINT, "compute": {"forces": ["1.3 mN", "5.1 mN", "8.3 mN"], "depths": None}}),
-            ("by its pressure", {"imprint": {"radius": "2.3 um", "uniform": "0.31 GPa", "hertz": "0.43 GPa"}, "compute": None}),
+        for name, film, base, more in (
+            ("measured", YIELDING, {"yield_stress": "0.61 GPa"}, {"imprint": IMPRINT, "compute": UNLOADED}),
+            ("by its pressure", YIELDING, {"yield_stress": "0.61 GPa"}, {"imprint": PRESSED, "compute": None}),
+            ("of hardness", {"hardness": "0.91 GPa", "radius_ratio": 0.26}, INDENTED, {"imprint": PRESSED, "compute": None}),
         )
     ),
     Case("electric", merged(_film(CURRENT), {"medium": {"substrate": CURRENT_BASE}, "conduction": ELECTRIC}), ("conduction",)),
@@ -497,6 +501,8 @@ SAMPLES: dict[tuple[str, str], list[Any]] = {
     ("*", "a"): [["0 um", "1 um"]],
     ("*", "cohesive_stress"): ["23 MPa"],
     ("*", "E"): ["7.3 GPa"],
+    ("*", "hardness"): ["1.7 GPa"],
+    ("*", "radius_ratio"): [0.27],
     ("*", "nu"): [0.22],
     ("*", "nu_t"): [0.22],
     ("*", "nu_tz"): [0.22],

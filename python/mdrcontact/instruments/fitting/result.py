@@ -32,7 +32,7 @@ from .problem import Problem
 from .quantities import digits, dimension_of, measured, plain, probability, unit_of, words_of
 from .report import blocks_of, estimates_of, page
 from .scatter import compare_scatter
-from .yielding import LayerYield
+from .yielding import LayerYield, ratio_words
 
 Array = NDArray[np.float64]
 
@@ -355,7 +355,7 @@ class FitResult:
             lines.append(f"standard deviations of the data, estimated: {plain(self.noise)} times the given ones")
         lines += self.contact_depth_words()
         if self.reverse_yield:
-            ratios = ", ".join(f"layer {one.layer} {one.ratio:.2f}" for one in self.reverse_yield)
+            ratios = ", ".join(f"layer {one.layer} {ratio_words(one)}" for one in self.reverse_yield)
             lines.append(f"reverse yield ratio R_Y: {ratios}; unloading is elastic up to 2")
         if self.prior_chi_square > 0.0:
             lines.append(f"chi-square of the priors {plain(self.prior_chi_square)}")

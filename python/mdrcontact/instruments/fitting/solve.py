@@ -12,6 +12,7 @@ import numpy as np
 from ..._boundary import number
 from ..._choices import code
 from ...errors import CancelledError, InvalidArgumentError, MDRError
+from ...plastic import YieldStress
 from .advice import advice
 from .data import Data, ForceDepth
 from .misfit import SMALL
@@ -41,7 +42,7 @@ def fit(
     known: Iterable[JointPrior] = (),
     contact_weight: float = 0.0,
     contact_weight_rule: str = "held",
-    yield_stresses: Iterable[float | None] = (),
+    yield_stresses: Iterable[float | YieldStress | None] = (),
 ) -> FitResult:
     """Fit parameters of indenter, medium and instrument to measured data.
 
@@ -83,10 +84,10 @@ def fit(
         "held": the weights belong to the contact point found and stay constant during the minimization. "moving": they follow the
         contact point during the search, which then moves to where it excludes large residuals. Other programs use that sum of
         squares; it differs by 0 to 60 % if other forces act at contact.
-    yield_stresses : iterable of float or None, optional
+    yield_stresses : iterable of float, YieldStress or None, optional
         Yield stress of each layer from the surface down and of the body below, > 0; None for one that does not yield [modulus].
-        Unloading curves and stiffnesses are then checked for unloading that yields again, R_Y > 2; curves of force against depth,
-        for a contact that has yielded.
+        `plastic.yield_stress_from_hardness` returns that of a hardness. Unloading curves and stiffnesses are then checked for
+        unloading that yields again, R_Y > 2; curves of force against depth, for a contact that has yielded.
 
     Returns
     -------
@@ -132,7 +133,7 @@ def fit(
     return _checked(found, stresses) if stresses else found
 
 
-def _checked(result: FitResult, stresses: tuple[float, ...]) -> FitResult:
+def _checked(result: FitResult, stresses: tuple[YieldStress, ...]) -> FitResult:
     """A result with what the yield stresses tell about it."""
     result.yield_ratio = first_yield(result, stresses)
     result.reverse_yield = reverse_yield(result, stresses)

@@ -16,7 +16,7 @@ from ...contact import Contact
 from ...critical import layers_of
 from ...errors import ArgumentTypeError, DomainError, InvalidArgumentError, MDRError
 from ...medium import Pair
-from ...plastic import Imprint
+from ...plastic import Imprint, YieldStress
 from .data import ForceDepth, StiffnessDepth
 
 Array = NDArray[np.float64]
@@ -51,14 +51,27 @@ class LayerYield(NamedTuple):
     """Y of the layer [modulus]"""
     ratio: float
     """R_Y, largest von Mises stress of the elastic body under the pressure at the largest force, over Y [1]"""
+    error: float = 0.0
+    """relative error of Y from a hardness, otherwise 0 [1]"""
 
 
-def read_yield_stresses(given: Iterable[float | None], data: Any, medium: Any) -> tuple[float, ...]:
+def ratio_words(one: LayerYield) -> str:
+    """Return R_Y as text, with its error if the yield stress has one."""
+    return f"{one.ratio:.2f}" + (f" ± {one.error * one.ratio:.2f}" if one.error else "")
+
+
+def _read(name: str, given: float | YieldStress | None) -> YieldStress:
+    if isinstance(given, YieldStress):
+        return given
+    return YieldStress(math.inf if given is None else number(name, given), 0.0)
+
+
+def read_yield_stresses(given: Iterable[float | YieldStress | None], data: Any, medium: Any) -> tuple[YieldStress, ...]:
     """Return the yield stress of each layer, infinite for one that does not yield; () without any."""
-    stresses = tuple(math.inf if one is None else number(f"yield_stresses[{i}]", one) for i, one in enumerate(given))
+    stresses = tuple(_read(f"yield_stresses[{i}]", one) for i, one in enumerate(given))
     if not stresses:
         return ()
-    for i, stress in enumerate(stresses):
+    for i, (stress, _) in enumerate(stresses):
         if not stress > 0.0:
             raise InvalidArgumentError(f"yield_stresses[{i}] = {stress:g}: it must be greater than 0, or None if nothing yields")
     if not isinstance(data, (ForceDepth, StiffnessDepth)):
@@ -79,8 +92,11 @@ def read_yield_stresses(given: Iterable[float | None], data: Any, medium: Any) -
     return stresses
 
 
-def first_yield(result: Any, stresses: tuple[float, ...]) -> float:
-    """Return the largest von Mises stress of the fitted elastic contact, without adhesion, over the yield stress, of all layers."""
+def first_yield(result: Any, stresses: tuple[YieldStress, ...]) -> float:
+    """Return the largest von Mises stress of the fitted elastic contact over the yield stress, of all layers.
+
+    It is that without adhesion. A yield stress with an error is at its upper end.
+    """
     data = result.data
     if not isinstance(data, ForceDepth):
         return 0.0
@@ -90,10 +106,10 @@ def first_yield(result: Any, stresses: tuple[float, ...]) -> float:
             layers = Contact(result.indenter, result.medium).at_force(force).critical().layers
         except MDRError:
             return 0.0
-    return max(float(one.von_mises.value) / stress for one, stress in zip(layers, stresses, strict=True))
+    return max(float(one.von_mises.value) / (y * (1.0 + error)) for one, (y, error) in zip(layers, stresses, strict=True))
 
 
-def reverse_yield(result: Any, stresses: tuple[float, ...]) -> tuple[LayerYield, ...]:
+def reverse_yield(result: Any, stresses: tuple[YieldStress, ...]) -> tuple[LayerYield, ...]:
     """Return the largest R_Y of each layer that can yield, over the curves of an unloading or the points of stiffnesses."""
     data, tool = result.data, result.instrument
     if not isinstance(data, StiffnessDepth) or data.force is None or data.elastic or result.problem.record["is_elastic"][0]:
@@ -110,7 +126,8 @@ def reverse_yield(result: Any, stresses: tuple[float, ...]) -> tuple[LayerYield,
     for i in np.unique(np.linspace(0, len(data) - 1, min(len(data), _MOST)).round().astype(int)):
         terms = _pressure(both, radius[i], load[i], left[i], depth[i])
         most = np.maximum(most, _stresses(body, radius[i], *terms, count=len(stresses)))
-    return tuple(LayerYield(i, y, float(s / y)) for i, (s, y) in enumerate(zip(most, stresses, strict=True)) if math.isfinite(y))
+    found = (LayerYield(i, y, float(s / y), error) for i, (s, (y, error)) in enumerate(zip(most, stresses, strict=True)))
+    return tuple(one for one in found if math.isfinite(one.yield_stress))
 
 
 def _pressure(medium: Any, radius: float, force: float, left: float, depth: float) -> tuple[float, float]:
@@ -146,7 +163,7 @@ def warning_of(found: tuple[LayerYield, ...]) -> list[str]:
         return []
     force, left = ("2.5 %", "2 %") if worst.ratio <= LARGEST else ("17 %", "24 %")
     return [
-        f"R_Y = {worst.ratio:.2f} in layer {worst.layer}: unloading yields again. In finite elements the force on unloading then "
+        f"R_Y = {ratio_words(worst)} in layer {worst.layer}: unloading yields again. In finite elements the force on unloading then "
         f"has an error of up to {force} of the largest one, and the residual depth of up to {left} of the depth"
     ]
 
@@ -157,7 +174,7 @@ def refuse(found: tuple[LayerYield, ...], has_area: bool) -> None:
     if worst is None or worst.ratio <= LARGEST or has_area:
         return
     raise DomainError(
-        f"yield_stresses[{worst.layer}] = {worst.yield_stress:.4g}: R_Y = {worst.ratio:.2f} exceeds 3, so the body yields again "
+        f"yield_stresses[{worst.layer}] = {worst.yield_stress:.4g}: R_Y = {ratio_words(worst)} exceeds 3, so the body yields again "
         "while it unloads. In finite elements of a stiff film on a soft body the contact radius from the contact depth is then 34 "
         "to 43 % too large, and the modulus wrong by as much. Measure the contact area and give area_factor a prior, or fit "
         "shallower indents."

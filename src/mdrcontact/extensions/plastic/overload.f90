@@ -18,6 +18,7 @@ module mdrcontact_plastic_overload
     use mdrcontact_medium_solver, only: check_springs
     use mdrcontact_plastic_radius_search, only: by_depth, by_radius, check_given, find_radius, miss_t
     use mdrcontact_plastic_virgin, only: largest_load, new_virgin, virgin_t
+    use mdrcontact_plastic_yielding, only: fall_of_hardness, largest_slope
     implicit none (type, external)
     private
     public :: overload_t, overload_state_t, new_overload
@@ -29,8 +30,6 @@ module mdrcontact_plastic_overload
     real(wp), parameter :: errors_of_paraboloid(2) = [2.0e-3_wp, 2.0e-3_wp], errors_of_others(2) = [1.5e-2_wp, 2.0e-2_wp], &
                            errors_of_film(2) = [5.0e-2_wp, 1.0e-2_wp], errors_of_wide(2) = [9.0e-2_wp, 0.14_wp], &
                            error_of_depth = 7.0e-2_wp
-    !> The hardness of spheres falls by this times (a/R)^2: 1.6, 6, 13 % at 0.1, 0.2, 0.3, the largest a/R.
-    real(wp), parameter :: fall_of_hardness = 1.45_wp, largest_slope = 0.3_wp
     !> Exponents of a profile at the edge, a f'/f, for which the rule was tested: 1 and 2; that of a sphere is higher.
     real(wp), parameter :: exponents(2) = [1.0_wp, 2.05_wp], rounding = 1.0e-9_wp
     !> Relative step by which the elastic mean pressure is followed, and its fall that is a rounding error.

@@ -8,7 +8,7 @@ module mdrcontact_plastic_yielding
     use mdrcontact_plastic_virgin, only: largest_load, largest_poisson, new_virgin, virgin_t
     implicit none (type, external)
     private
-    public :: yielding_t, new_yielding, new_elastic, are_equal, yield_stress_from_hardness, tabor
+    public :: yielding_t, new_yielding, new_elastic, are_equal, yield_stress_from_hardness, tabor, fall_of_hardness, largest_slope
 
     !> Representative strain of a contact over a/R (Tabor).
     real(wp), parameter :: tabor = 0.2_wp
@@ -16,6 +16,9 @@ module mdrcontact_plastic_yielding
     real(wp), parameter :: hardness_ratio = 2.8_wp, ratio_error = 0.08_wp
     !> Error of the mean pressure of the law.
     real(wp), parameter :: pressure_error = 3.0e-3_wp
+    !> The hardness of spheres falls by this times (a/R)^2: 1.6, 6, 13 % at 0.1, 0.2, 0.3, the largest a/R. Up to the small one that
+    !> is left out.
+    real(wp), parameter :: fall_of_hardness = 1.45_wp, largest_slope = 0.3_wp, small_slope = 0.1_wp
 
     !> A material and its yield stress over the plastic strain: linear between the points, constant below and above them. Without
     !> points it does not yield.
@@ -151,13 +154,15 @@ contains
         real(wp), intent(out) :: stress, relative_error
         type(error_t), allocatable, intent(out) :: error
         type(virgin_t) :: virgin
-        real(wp) :: slope, low, high, load, near(2), unused(3)
+        real(wp) :: slope, low, high, load, near(2), unused(3), miss
         integer :: i
 
         stress = hardness/hardness_ratio
         relative_error = ratio_error
         call check_positive(error, "hardness", hardness)
         call check_not_negative(error, "radius_ratio", inclination)
+        if (inclination > largest_slope) call raise(error, error_domain, " = "//to_text(inclination)//": it must be at most "// &
+                                                    "0.3, where hardness has fallen by 13 %. Leave it out", "radius_ratio")
         if (allocated(error) .or. inclination == 0.0_wp) return
         call new_virgin(virgin, material%poisson, error)
         if (allocated(error)) return
@@ -186,7 +191,9 @@ contains
         end do
         stress = inclination*material%contact()/load
         call virgin%at(load*1.001_wp, near(2), unused(1), unused(2), unused(3))
-        relative_error = pressure_error/max(1.0_wp - log(near(2)/near(1))/log(1.001_wp), pressure_error)
+        miss = pressure_error
+        if (inclination > small_slope) miss = miss + fall_of_hardness*inclination**2
+        relative_error = miss/max(1.0_wp - log(near(2)/near(1))/log(1.001_wp), miss)
     end subroutine yield_stress_from_hardness
 
 end module mdrcontact_plastic_yielding
