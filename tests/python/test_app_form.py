@@ -51,6 +51,24 @@ def test_what_the_form_shows_changes_nothing_when_it_is_typed_again(path):
             )
 
 
+def test_the_keys_of_yielding_exclude_each_other():
+    text = (ROOT / "examples" / "problems" / "aluminium_on_silicon.toml").read_text(encoding="utf-8")
+    film = "medium/coating/"
+    before = inputs(schema.PROBLEM, text)
+    assert f"{film}yield_stress" in before and f"{film}hardness" not in before
+    after = inputs(schema.PROBLEM, changed(changed(text, f"{film}yield_stress", ""), f"{film}hardness", "1 GPa"))
+    assert after[f"{film}hardness"] == "1 GPa" and f"{film}yield_stress" not in after and after[f"{film}radius_ratio"] in ("", None)
+
+
+def test_rough_surfaces_are_a_table_of_conduction():
+    text = (ROOT / "examples" / "problems" / "tin_on_copper.toml").read_text(encoding="utf-8")
+    text = acted(text, "add/conduction/joint")
+    keys = ("roughness", "slope", "hardness", "gas", "jump")
+    assert {f"conduction/joint/{key}" for key in keys} <= set(inputs(schema.PROBLEM, text))
+    assert problem.read_text(text).conduction.joint is not None
+    assert "joint" not in acted(text, "remove/conduction/joint")
+
+
 @pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
 def test_a_change_is_one_line(path):
     text = path.read_text(encoding="utf-8")

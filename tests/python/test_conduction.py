@@ -15,11 +15,13 @@ from conftest import ROOT
 
 import mdrcontact as mdr
 import mdrcontact.instruments as mdi
+from mdrcontact import studies
 from mdrcontact.cli import main
 from mdrcontact.conduction import INSULATING, PERFECT, Conduction, Conductor, LayeredConductor
 from mdrcontact.problem import load
 
 REFERENCE = Path(__file__).parents[1] / "data" / "conduction.csv"
+ROUGH_KEYS = '[conduction.joint]\nroughness = "1 um"\nslope = 0.1\nhardness = "1 GPa"\n'
 BASES = {"perfect": PERFECT, "insulating": INSULATING}
 
 
@@ -572,6 +574,16 @@ def test_command_line(name, tmp_path, capsys):
     ("old", "new", "words"),
     [
         ('kind = "electrical"', 'kind = "wet"', "wet"),
+        ('kind = "electrical"', f'kind = "electrical"\nfilm = "1 ohm*m^2"\n{ROUGH_KEYS}', "film and joint exclude each other"),
+        ('kind = "electrical"', f'kind = "electrical"\n{ROUGH_KEYS}gas = "1 W/(m*K)"', "gas = '1 W/.*gases conduct heat alone"),
+        ('kind = "electrical"', f'kind = "electrical"\n{ROUGH_KEYS}jump = "1 um"', "jump = '1 um': .* Give gas, or omit jump"),
+        ('kind = "electrical"', f'kind = "electrical"\n{ROUGH_KEYS.replace("0.1", "0")}', "slope = 0: it must be greater than 0"),
+        (
+            'kind = "electrical"',
+            f'kind = "electrical"\n{ROUGH_KEYS.replace("1 GPa", "1 MPa")}',
+            "hardness = .* must exceed twice the pressure",
+        ),
+        ('kind = "electrical"', 'kind = "electrical"\njoint = {roughness = "1 um", slope = 0.1}', "the key 'hardness' is missing"),
         ('kind = "electrical"', 'kind = "electrical"\nspeed = "1 m/s"', "speed and friction_coefficient do not belong"),
         ('electrical_conductivity = "9.17 MS/m"', 'electrical_conductivity = "9.17 W/(m*K)"', "an electrical conductivity"),
         ('electrical_conductivity = "9.17 MS/m"\n', "", "no conductivity"),
@@ -604,6 +616,34 @@ def test_command_line_refuses(old, new, words, tmp_path, capsys):
     wrong.write_text(text.replace(old, new), encoding="utf-8")
     assert main(["conduction", str(wrong)]) in (1, 2)
     assert re.search(words, capsys.readouterr().err)
+
+
+def test_the_command_joins_rough_surfaces(tmp_path, capsys):
+    """Each state by `rough`; smooth surfaces as the limit of small roughness; a gas adds to heat; no heat of friction."""
+    text = (ROOT / "examples" / "problems" / "heat_through_silica.toml").read_text(encoding="utf-8")
+    text = re.sub(r"thermal_film.*", "", text.replace("points = 40", "points = 3"))
+    file, table = tmp_path / "rough.toml", tmp_path / "table.csv"
+
+    def found(joint):
+        file.write_text(text + joint, encoding="utf-8")
+        return studies.conduction(load(file))
+
+    keys = ROUGH_KEYS.replace("1 um", "1 nm").replace("1 GPa", "40 GPa")
+    smooth, rough = found(""), found(keys)
+    joint = mdr.conduction.RoughJoint(1e-9, 0.1, 40e9)
+    conduction, states = rough.conduction, rough.states
+    assert rough.rough == pytest.approx([conduction.rough(states[i], joint) for i in range(3)], rel=1e-12)
+    assert rough.numbers["conductance"].value == rough.rough[-1] < smooth.numbers["conductance"].value
+    assert rough.numbers["conductance of smooth surfaces"].value == smooth.numbers["conductance"].value
+    assert found(keys.replace("1 nm", "1e-10 nm")).rough == pytest.approx(smooth.conductance.conductance, rel=1e-6)
+    gas = found(f'{keys}gas = "0.026 W/(m*K)"').rough
+    assert np.all(rough.rough < found(f'{keys}gas = "0.026 W/(m*K)"\njump = "40 nm"').rough) and np.all(rough.rough < gas)
+    assert main(["conduction", str(file), "--csv", str(table), "--plot", str(tmp_path / "picture.png")]) == 0
+    assert "between smooth surfaces" in capsys.readouterr().out and table.read_text(encoding="utf-8").count("smooth surfaces") == 1
+    with pytest.raises(mdr.problem.ProblemError, match="heat of friction between rough surfaces is not supported"):
+        found('speed = "1 mm/s"\nfriction_coefficient = 0.2\n' + keys)
+    with pytest.raises(mdr.problem.ProblemError, match=r"\[conduction.joint\]: jump = '40 nm'.*Give gas, or omit jump"):
+        found(f'{keys}jump = "40 nm"')
 
 
 def test_tables_are_compared_with_the_solution():

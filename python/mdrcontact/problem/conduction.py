@@ -5,17 +5,34 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from .._units import AREA_RESISTANCE, RATIO, SPEED, THERMAL_AREA_RESISTANCE
-from ..conduction import Conduction
+from .._units import AREA_RESISTANCE, LENGTH, MODULUS, RATIO, SPEED, THERMAL_AREA_RESISTANCE, THERMAL_CONDUCTIVITY
+from ..conduction import Conduction, RoughJoint
 from ..conduction.bodies import conducting
 from ..medium import Pair
-from .field import NOT_NEGATIVE, Field, Table
+from .field import NOT_NEGATIVE, POSITIVE, Field, Table
 from .section import ProblemError, Section
 
 THERMAL, ELECTRICAL = "thermal", "electrical"
 
 _FILM, _INTERFACES = "resistance in the contact area", "resistance below each layer, top to bottom"
 _CURRENT, _HEAT = {"kind": (ELECTRICAL,)}, {"kind": (THERMAL,)}
+JOINT = Table(
+    "rough surfaces in the contact area, which touch at plastic micro-contacts",
+    (
+        Field("roughness", "root mean square of the heights of both surfaces together", LENGTH, range=POSITIVE),
+        Field("slope", "mean absolute slope of both surfaces together", RATIO, range=POSITIVE),
+        Field("hardness", "hardness of the softer surface", MODULUS, range=POSITIVE),
+        Field(
+            "gas",
+            "conductivity of the gas between the surfaces, for heat; 0: a vacuum",
+            THERMAL_CONDUCTIVITY,
+            0.0,
+            range=NOT_NEGATIVE,
+        ),
+        Field("jump", "sum of the temperature jump lengths of both surfaces; needs gas", LENGTH, 0.0, range=NOT_NEGATIVE),
+    ),
+    "docs/conduction.md",
+)
 KNOWN = Table(
     "conduction of heat or current; each material needs a conductivity",
     (
@@ -32,8 +49,10 @@ KNOWN = Table(
             when=_HEAT,
         ),
         Field("speed", "sliding speed; needs friction_coefficient", SPEED, optional=True, when=_HEAT),
+        Field("joint", JOINT.meaning, optional=True, table=JOINT),
     ),
     "docs/conduction.md",
+    at_most_one_of=(("film", "joint"), ("thermal_film", "joint")),
 )
 
 
@@ -47,6 +66,8 @@ class Conducting(NamedTuple):
     """below each layer of the lower body, top to bottom"""
     heat: tuple[float, float] | None
     """friction coefficient and speed"""
+    joint: RoughJoint | None = None
+    """rough surfaces in the contact area, instead of a film"""
 
     @property
     def prefix(self) -> str:
@@ -94,4 +115,19 @@ def read_conduction(section: Section) -> Conducting:
             rule = 'speed and friction_coefficient do not belong to kind = "electrical"'
             raise section.error(key, rule, "Leave them out", shows=False)
         heat = section.number("friction_coefficient"), section.quantity("speed")
-    return Conducting(kind, film, interfaces, heat)
+    joint = _read_joint(section, kind) if "joint" in section else None
+    if joint and film:
+        raise section.error(f"{prefix}film", f"{prefix}film and joint exclude each other", "Keep one", shows=False)
+    if joint and heat:
+        raise section.error("speed", "heat of friction between rough surfaces is not supported", "Leave joint out", shows=False)
+    return Conducting(kind, film, interfaces, heat, joint)
+
+
+def _read_joint(section: Section, kind: str) -> RoughJoint:
+    """Return the rough surfaces of [conduction.joint]."""
+    given: Section = section.value("joint")
+    with given.words():
+        joint = RoughJoint(*(given.value(one.name) for one in JOINT.fields))
+    if joint.gas and kind == ELECTRICAL:
+        raise given.error("gas", 'gases conduct heat alone, and kind is "electrical"', "Leave it out")
+    return joint

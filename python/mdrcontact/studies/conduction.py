@@ -42,6 +42,8 @@ class ConductionResult(Result):
     conductance: ContactConductance
     dimension: Dimension
     """of the conductance"""
+    rough: Array | None = None
+    """conductance between the rough surfaces of a joint; `conductance` is then that of smooth ones"""
     section: SectionField | None = None
     """of the last state"""
 
@@ -50,7 +52,10 @@ class ConductionResult(Result):
         x, force = along("force F", FORCE, self.states.force)
         values = np.asarray(self.conductance.conductance)
         y, unit = along("conductance G", self.dimension, values)
-        panels = [Panel(x, y, (Line(force.of(np.asarray(self.states.force)), unit.of(values)),))]
+        along_force = force.of(np.asarray(self.states.force))
+        lines = [Line(along_force, unit.of(values), "" if self.rough is None else "smooth surfaces")]
+        lines += [] if self.rough is None else [Line(along_force, unit.of(self.rough), "rough surfaces", 1)]
+        panels = [Panel(x, y, tuple(lines))]
         return Figure(self.title, tuple(panels + ([_section_panel(self, self.section)] if self.section else [])))
 
 
@@ -78,14 +83,16 @@ def conduction(problem: Problem, *, section: bool = False, progress: Progress | 
     problem : Problem
         A problem with the table [conduction].
     section : bool, optional
-        Compute the potential, or the temperature, in a section through the lower body at the last state as well.
+        Compute the potential, or the temperature, in a section through the lower body at the last state as well. Under a joint
+        it is not available.
     progress : Progress, optional
         Can stop the work.
 
     Returns
     -------
     ConductionResult
-        `states`, `conductance`; numbers "conductance" and "conductance without film" of the last state.
+        `states`, `conductance`; numbers "conductance", and "conductance without film" or "conductance of smooth surfaces", of the
+        last state.
 
     Raises
     ------
@@ -110,11 +117,15 @@ def conduction(problem: Problem, *, section: bool = False, progress: Progress | 
     states = problem.control.states(contact)
     found = conductors.along(states)
     dimension = THERMAL_CONDUCTANCE if given.kind == THERMAL else CONDUCTANCE
-    table = [
-        *columns_of(states, "depth", "radius", "force"),
-        column("conductance", found.conductance, dimension),
-        column("dlnG/dlnF", np.asarray(found.by_force) * np.asarray(states.force) / np.asarray(found.conductance), RATIO),
-    ]
+    rough = _rough(conductors, given, states)
+    table = [*columns_of(states, "depth", "radius", "force")]
+    if rough is not None:
+        table += [column("conductance", rough, dimension), column("smooth surfaces", found.conductance, dimension)]
+    else:
+        table += [
+            column("conductance", found.conductance, dimension),
+            column("dlnG/dlnF", np.asarray(found.by_force) * np.asarray(states.force) / np.asarray(found.conductance), RATIO),
+        ]
     if given.heat is not None:
         heat = conductors.friction_heat(states, *given.heat)
         table += [
@@ -122,10 +133,12 @@ def conduction(problem: Problem, *, section: bool = False, progress: Progress | 
             column("mean", heat.flux_mean, TEMPERATURE),
             column("share", heat.share, RATIO),
         ]
-    numbers = _numbers(conductors, float(np.asarray(states.radius)[-1]), dimension)
+    numbers = _numbers(conductors, float(np.asarray(states.radius)[-1]), dimension, rough)
     words = f"conductance at a = {numbers['contact radius']}: {numbers['conductance']}"
     if "conductance without film" in numbers:
         words += f"; without the film in the spot {numbers['conductance without film']}"
+    if "conductance of smooth surfaces" in numbers:
+        words += f"; between smooth surfaces {numbers['conductance of smooth surfaces']}"
     return ConductionResult(
         title=problem.title,
         numbers=numbers,
@@ -136,14 +149,24 @@ def conduction(problem: Problem, *, section: bool = False, progress: Progress | 
         states=states,
         conductance=found,
         dimension=dimension,
-        section=_section(problem, given, conductors, states) if section else None,
+        rough=rough,
+        section=_section(problem, given, conductors, states) if section and rough is None else None,
     )
 
 
-def _numbers(conductors: Conduction, radius: float, dimension: Dimension) -> dict[str, Number]:
-    """Return the last conductance, and that without the film in the contact area."""
+def _rough(conductors: Conduction, given: Conducting, states: States) -> Array | None:
+    """Return the conductance of each state between rough surfaces; None without a joint."""
+    if given.joint is None:
+        return None
+    return np.array([conductors.rough(states[i], given.joint) for i in range(len(states))])
+
+
+def _numbers(conductors: Conduction, radius: float, dimension: Dimension, rough: Array | None) -> dict[str, Number]:
+    """Return the last conductance, and that without the film in the contact area or of smooth surfaces."""
     value = float(np.asarray(conductors.at_radius(radius).conductance))
-    numbers = {"contact radius": Number(radius, LENGTH), "conductance": Number(value, dimension)}
+    numbers = {"contact radius": Number(radius, LENGTH), "conductance": Number(value if rough is None else rough[-1], dimension)}
+    if rough is not None:
+        numbers["conductance of smooth surfaces"] = Number(value, dimension)
     if conductors.film:
         bare = float(np.asarray(conductors.replace(film=0.0).at_radius(radius).conductance))
         numbers["conductance without film"] = Number(bare, dimension)

@@ -119,6 +119,7 @@ THERMAL = {
     "friction_coefficient": 0.23,
     "speed": "0.11 m/s",
 }
+ROUGH = {"roughness": "0.31 um", "slope": 0.11, "hardness": "2.9 GPa"}
 SHAPES: dict[str, Table] = {
     "paraboloid": {"radius": "51 um"},
     "cone": {"inclination": "3.1 deg"},
@@ -401,6 +402,18 @@ CASES = [
         ),
         ("conduction",),
     ),
+    *(
+        Case(
+            f"{kind} rough",
+            merged(_film(of_film), {"medium": {"substrate": of_base}, "conduction": {"kind": kind, "joint": joint}}),
+            ("conduction",),
+            only="conduction*",
+        )
+        for kind, of_film, of_base, joint in (
+            ("electrical", CURRENT, CURRENT_BASE, ROUGH),
+            ("thermal", HEAT, HEAT_BASE, {**ROUGH, "gas": "0.9 W/(m*K)", "jump": "0.13 um"}),
+        )
+    ),
     Case("thermal alone", merged(_film(HEAT), {"medium": {"substrate": HEAT_BASE}, "conduction": THERMAL}), ("conduction",)),
     Case("relaxing bulk", _history({"type": "homogeneous", "material": BULK}), ("history",)),
     Case(
@@ -534,6 +547,7 @@ SAMPLES: dict[tuple[str, str], list[Any]] = {
     ("wear", "scheme"): ["rings"],
     ("wear", "intervals"): [20],
     ("conduction", "friction_coefficient"): [0.23],
+    ("conduction", "joint"): [ROUGH],
     ("history", "points"): [9],
     ("history", "file"): ["path.csv"],
     ("history", "time"): ["later [s]", "time [s]"],

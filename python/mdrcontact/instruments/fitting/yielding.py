@@ -163,8 +163,8 @@ def warning_of(found: tuple[LayerYield, ...]) -> list[str]:
         return []
     force, left = ("2.5 %", "2 %") if worst.ratio <= LARGEST else ("17 %", "24 %")
     return [
-        f"R_Y = {ratio_words(worst)} in layer {worst.layer}: unloading yields again. In finite elements the force on unloading then "
-        f"has an error of up to {force} of the largest one, and the residual depth of up to {left} of the depth"
+        f"R_Y = {ratio_words(worst)} in layer {worst.layer}: unloading yields again. In finite elements the force on unloading "
+        f"then has an error of up to {force} of the largest one, and the residual depth of up to {left} of the depth"
     ]
 
 
