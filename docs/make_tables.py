@@ -122,6 +122,8 @@ TABLES: dict[str, dict[str, Callable[[], str]]] = {
     "cli.md": {"commands": command_line.commands},
     "benchmarks.md": {
         "force": partial(measured, "One force", rows=(0, 1, 2, 4, 8, 9, 10, 16, 17, 19, 20)),
+        "plastic": partial(measured, "Laws of bodies that yield"),
+        "plastic-arrays": partial(measured, "Laws of bodies that yield", table=1),
         "hertz": partial(measured, "Hertz's F(d)", rows=(0, 1, 2, 3, 6, 8)),
         "radii": partial(measured, "Scaling"),
         "stresses": partial(measured, "Stresses inside"),

@@ -35,7 +35,7 @@ typedef struct mdr_plastic_head {
     double bits;    /**< Leading bits of y that number a panel. */
     double panels;  /**< Number of panels. */
     double edges;   /**< Place of the ends of the panels, one more than panels; 0: the bits of y number them [length]. */
-    double rows;    /**< Place of the polynomials: for each panel and power F, a, the share of uniform pressure, 0. */
+    double rows;    /**< Place of the polynomials: for each panel and power F, a, B2 = a A2/E* (theory/plastic.md (2.4)), 0. */
     double energy;  /**< Place of the work int F dd in the middle of each panel. */
     double tension; /**< With adhesion, place of the polynomials of the work that it takes from the plastic loss; else 0. */
     double modulus; /**< E* [modulus]. */
@@ -53,6 +53,7 @@ typedef struct mdr_plastic_view {
     const double *energy;  /**< [1] for each panel. */
     const double *tension; /**< [8] for each panel, or NULL. */
     double modulus, line;  /**< See mdr_plastic_head. */
+    double hertz;          /**< 3/(4 E*) [1/modulus]. */
     double radius;         /**< See mdr_plastic_head [length]. */
     int panels;            /**< Number of panels. */
 } mdr_plastic_view;
@@ -94,6 +95,7 @@ MDR_INLINE int mdr_plastic_view_at(const double *buffer, const double *there, md
     view->energy = there + (size_t)head->energy;
     view->tension = head->tension > 0.0 ? there + (size_t)head->tension : NULL;
     view->modulus = head->modulus;
+    view->hertz = 0.75 / head->modulus;
     view->line = head->line;
     view->radius = head->radius;
     view->panels = (int)head->panels;
@@ -118,11 +120,11 @@ MDR_INLINE size_t mdr_plastic_panel(const mdr_plastic_view *view, double d, doub
     return (size_t)low;
 }
 
-/** An imprint, whose line load over E* is uniform s + hertz s^2, s^2 = 1 - (x/A)^2. Its members are private. */
+/** An imprint, whose line load is (uniform s + hertz s^2) E* / A, s^2 = 1 - (x/A)^2. Its members are private. */
 typedef struct mdr_plastic_imprint {
     double radius;  /**< Contact radius A at the largest depth [length]. */
-    double uniform; /**< Of the uniform part of the pressure [length]. */
-    double hertz;   /**< Of Hertz's part [length]. */
+    double uniform; /**< Of the uniform part of the pressure, A A2/E* [length^2]. */
+    double hertz;   /**< Of Hertz's part, A A1/E* [length^2]. */
 } mdr_plastic_imprint;
 
 /* c[0] + c[4] t + ... + c[28] t^7: a polynomial of a panel; and its derivative. */
@@ -138,70 +140,76 @@ MDR_INLINE double mdr_plastic_polynomial_with_slope(const double c[], double t, 
     return mdr_law_polynomial_with_slope(row, t, slope);
 }
 
-/* The imprint of a largest depth beyond yield. The two terms have the force of first loading: F is continuous. */
-MDR_INLINE mdr_plastic_imprint mdr_plastic_imprint_of(const mdr_plastic_view *view, double deepest)
+/* The columns of a row at a largest depth beyond yield, together: F, A, B2 and 0. */
+MDR_INLINE void mdr_plastic_columns(const mdr_plastic_view *view, double deepest, double column[4])
 {
-    mdr_plastic_imprint imprint;
-    double t, rate, of[4];
+    double t, rate, of[4]; /* which are no others: one vector */
     const double *const row = view->rows + 32 * mdr_plastic_panel(view, deepest, &t, &rate);
     const double q = t * t, q2 = q * q;
-    for (int i = 0; i < 4; ++i) { /* F, A and alpha2 together */
+    for (int i = 0; i < 4; ++i) {
         of[i] = ((row[i] + t * row[i + 4]) + q * (row[i + 8] + t * row[i + 12]))
                 + q2 * ((row[i + 16] + t * row[i + 20]) + q * (row[i + 24] + t * row[i + 28]));
     }
-    imprint.radius = of[1];
-    imprint.uniform = of[2] > 0.0 ? of[2] : 0.0;
-    imprint.hertz = 0.75 * of[0] / (view->modulus * of[1]) - 1.1780972450961724 * imprint.uniform; /* 3 pi/8 */
+    memcpy(column, of, sizeof of);
+}
+
+/* The imprint of these columns. The two terms have the force of first loading: F is continuous. */
+MDR_INLINE mdr_plastic_imprint mdr_plastic_imprint_from(const mdr_plastic_view *view, const double column[4])
+{
+    mdr_plastic_imprint imprint;
+    imprint.radius = column[1];
+    imprint.uniform = column[2] > 0.0 ? column[2] : 0.0;
+    imprint.hertz = view->hertz * column[0] - 1.1780972450961724 * imprint.uniform; /* 3 pi/8 */
     return imprint;
 }
 
-/* theta - sin theta cos theta, over 2, where u = sin theta and s = cos theta: u t, t = 1 - s, times its interpolation at Chebyshev's
- * points of 2 t - 1, within 2e-13. */
-MDR_INLINE double mdr_plastic_segment(double u, double s)
+MDR_INLINE mdr_plastic_imprint mdr_plastic_imprint_of(const mdr_plastic_view *view, double deepest)
 {
-    const double t = 1.0 - s, x = t - s, q = x * x, q2 = q * q, q4 = q2 * q2;
-    const double a = (0.7091995761560778 + q * 0.015332626935539106) + q2 * (0.0013571087988488734 + q * 0.00012895593938380375)
-                     + q4 * ((1.2712705522649381e-05 + q * 1.2950133095189356e-06) + q2 * (1.1839080872960026e-07 + q * 2.1092491610519582e-08));
-    const double b = (0.05440056512511779 + q * 0.004504519998373107) + q2 * (0.00041581942315712886 + q * 4.035590547187221e-05)
-                     + q4 * ((4.0290827458097725e-06 + q * 4.1397579345129936e-07) + q2 * (3.8031184673660666e-08 + q * 6.8235224993021594e-09));
-    return u * t * (a + x * b);
+    double column[4];
+    mdr_plastic_columns(view, deepest, column);
+    return mdr_plastic_imprint_from(view, column);
 }
 
-/* s = sqrt(1 - u^2) and u = a/A of an imprint without adhesion at y = (largest depth) - d; 0 if the contact is open. */
-MDR_INLINE int mdr_plastic_edge(const mdr_plastic_imprint *imprint, double y, double *s, double *u)
+/* (theta - sin theta cos theta)/(2 u t), where u = sin theta and t = 1 - cos theta: interpolated at Chebyshev's points of x = 2 t - 1,
+ * within 2e-13; even and odd powers of x together. */
+MDR_INLINE double mdr_plastic_segment(double t)
 {
-    const double a1 = imprint->hertz, a2 = imprint->uniform, w = (a1 + a2) - y;
-    double root, first;
-    if (!(w > 0.0)) return 0;
-    root = a2 * a2 + 4.0 * a1 * y;
-    first = 2.0 * y / (a2 + sqrt(root > 0.0 ? root : 0.0));
-    if (y == 0.0) first = 0.0;
-    if (first < 0.75) {
-        *s = first;
-        *u = sqrt((1.0 - first) * (1.0 + first));
-    } else {
-        const double b = a2 + 2.0 * a1;
-        root = b * b - 4.0 * a1 * w;
-        const double t = 2.0 * w / (b + sqrt(root > 0.0 ? root : 0.0));
-        *s = 1.0 - t;
-        *u = sqrt(t * (2.0 - t));
+    const double even[8] = {0.7091995761560778,     0.015332626935539106,   0.0013571087988488734,  0.00012895593938380375,
+                            1.2712705522649381e-05, 1.2950133095189356e-06, 1.1839080872960026e-07, 2.1092491610519582e-08};
+    const double odd[8] = {0.05440056512511779,    0.004504519998373107,   0.00041581942315712886, 4.035590547187221e-05,
+                           4.0290827458097725e-06, 4.1397579345129936e-07, 3.8031184673660666e-08, 6.8235224993021594e-09};
+    const double *const c[2] = {even, odd};
+    const double x = t - (1.0 - t), q = x * x, q2 = q * q, q4 = q2 * q2;
+    double of[2];
+    for (int i = 0; i < 2; ++i) {
+        of[i] = ((c[i][0] + q * c[i][1]) + q2 * (c[i][2] + q * c[i][3])) + q4 * ((c[i][4] + q * c[i][5]) + q2 * (c[i][6] + q * c[i][7]));
     }
-    return 1;
+    return of[0] + x * of[1];
 }
 
-/* F/E* and U/E* of an imprint without adhesion whose contact ends at u. */
-MDR_INLINE double mdr_plastic_force_at(const mdr_plastic_imprint *imprint, double s, double u)
+/* t = 1 - sqrt(1 - u^2) and u = a/A of an imprint without adhesion at y = (largest depth) - d, 0 of an open contact, without a branch:
+ * t (B2 + 2 B1 - B1 t) = w, w = A ((largest depth) - (residual depth) - y), theory/plastic.md (2.9). */
+MDR_INLINE void mdr_plastic_edge(const mdr_plastic_imprint *imprint, double y, double *t, double *u)
 {
-    return 2.0 * imprint->radius
-           * (2.0 / 3.0 * imprint->hertz * (u * u * u) + imprint->uniform * mdr_plastic_segment(u, s));
+    const double left = (imprint->uniform + imprint->hertz) - imprint->radius * y, w = left > 0.0 ? left : 0.0;
+    const double b = imprint->uniform + 2.0 * imprint->hertz, root = b * b - 4.0 * imprint->hertz * w;
+    const double sum = b + sqrt(root > 0.0 ? root : 0.0), g = 2.0 / sum;
+    *t = g * w;
+    *u = g * sqrt(w * (sum - w));
 }
 
-MDR_INLINE double mdr_plastic_energy_at(const mdr_plastic_imprint *imprint, double s, double u)
+/* F/E* and U/E* of an imprint without adhesion whose contact ends at u = a/A. */
+MDR_INLINE double mdr_plastic_force_at(const mdr_plastic_imprint *imprint, double t, double u)
 {
-    const double a1 = imprint->hertz, a2 = imprint->uniform, cube = u * u * u;
-    const double angle = 2.0 * mdr_plastic_segment(u, s) + u * s;
+    return u * t * (4.0 / 3.0 * imprint->hertz * (2.0 - t) + 2.0 * imprint->uniform * mdr_plastic_segment(t));
+}
+
+MDR_INLINE double mdr_plastic_energy_at(const mdr_plastic_imprint *imprint, double t, double u)
+{
+    const double b1 = imprint->hertz, b2 = imprint->uniform, cube = u * u * u, s = 1.0 - t;
+    const double angle = 2.0 * (u * t * mdr_plastic_segment(t)) + u * s;
     const double mixed = 0.125 * (angle * (4.0 * u * u - 1.0) + u * s) - 5.0 / 12.0 * (cube * s);
-    return imprint->radius * (8.0 / 15.0 * a1 * a1 * (cube * u * u) + 2.0 * a1 * a2 * mixed + a2 * a2 * (u - cube / 3.0 - s * angle));
+    return (8.0 / 15.0 * b1 * b1 * (cube * u * u) + 2.0 * b1 * b2 * mixed + b2 * b2 * (u - cube / 3.0 - s * angle)) / imprint->radius;
 }
 
 /* First loading without adhesion: F, dF/dd, a and da/dd at a depth up to the largest one; a == NULL: the first two alone. */
@@ -243,21 +251,39 @@ MDR_INLINE double mdr_plastic_work(const mdr_plastic_view *view, double d)
     return point.energy;
 }
 
+/* The state of an imprint without adhesion at y = (largest depth) - d. */
+MDR_INLINE void mdr_plastic_unload(const mdr_plastic_view *view, const mdr_plastic_imprint *imprint, double y, double *F, double *slope,
+                                   double *a)
+{
+    double t, u;
+    mdr_plastic_edge(imprint, y, &t, &u);
+    *F = view->modulus * mdr_plastic_force_at(imprint, t, u);
+    *a = imprint->radius * u;
+    *slope = 2.0 * view->modulus * *a;
+}
+
+/* Whether a contact without adhesion is below its largest depth, beyond yield; both numbers are then possible. */
+MDR_INLINE int mdr_plastic_is_below(const mdr_plastic_view *view, double deepest, double d)
+{
+    return d < deepest && deepest > view->yield && deepest <= view->highest && d >= -DBL_MAX ? 1 : 0;
+}
+
 /* The state of a contact without adhesion whose largest depth so far is `deepest`; *kept becomes the largest depth with this one. */
 MDR_INLINE int mdr_plastic_follow(const mdr_plastic_view *view, double deepest, double d, double *kept, double *F, double *slope,
                                   double *a)
 {
+    if (mdr_plastic_is_below(view, deepest, d)) {
+        const mdr_plastic_imprint imprint = mdr_plastic_imprint_of(view, deepest);
+        double radius;
+        *kept = deepest;
+        mdr_plastic_unload(view, &imprint, deepest - d, F, slope, &radius);
+        if (a) *a = radius;
+        return MDR_SUCCESS;
+    }
     if (!(d <= DBL_MAX && d >= -DBL_MAX && deepest >= 0.0 && deepest <= view->highest)) return MDR_EINVALID;
     if (d > view->highest) return MDR_EDOMAIN;
     *kept = d > deepest ? d : deepest;
-    if (d >= deepest || deepest <= view->yield) return mdr_plastic_virgin(view, d, F, slope, a, NULL);
-    const mdr_plastic_imprint imprint = mdr_plastic_imprint_of(view, deepest);
-    double s, u = 0.0;
-    *F = 0.0;
-    if (mdr_plastic_edge(&imprint, deepest - d, &s, &u)) *F = view->modulus * mdr_plastic_force_at(&imprint, s, u);
-    *slope = 2.0 * view->modulus * imprint.radius * u;
-    if (a) *a = imprint.radius * u;
-    return MDR_SUCCESS;
+    return mdr_plastic_virgin(view, d, F, slope, a, NULL);
 }
 
 /* With adhesion: depth by which the edge of a contact of radius a is pulled out. */
@@ -288,6 +314,14 @@ MDR_INLINE double mdr_plastic_arrive(const mdr_plastic_view *view, double deepes
     return x;
 }
 
+/* The depth at which an open contact closes. */
+MDR_INLINE double mdr_plastic_residual(const mdr_plastic_view *view, double deepest)
+{
+    if (!(deepest > view->yield)) return 0.0;
+    const mdr_plastic_imprint imprint = mdr_plastic_imprint_of(view, deepest);
+    return deepest - (imprint.uniform + imprint.hertz) / imprint.radius;
+}
+
 /* The imprint of any largest depth, yielded or not. */
 MDR_INLINE mdr_plastic_imprint mdr_plastic_any_imprint(const mdr_plastic_view *view, double deepest)
 {
@@ -295,11 +329,11 @@ MDR_INLINE mdr_plastic_imprint mdr_plastic_any_imprint(const mdr_plastic_view *v
     if (deepest > view->yield) return mdr_plastic_imprint_of(view, deepest);
     imprint.radius = sqrt(view->radius * (deepest > 0.0 ? deepest : 0.0));
     imprint.uniform = 0.0;
-    imprint.hertz = deepest;
+    imprint.hertz = imprint.radius * deepest;
     return imprint;
 }
 
-/* (largest depth) - d of an imprint with adhesion whose contact ends at s; l at its full radius. */
+/* A ((largest depth) - d) of an imprint with adhesion whose contact ends at s; pull is A l(A). */
 MDR_INLINE double mdr_plastic_recovery(const mdr_plastic_imprint *imprint, double pull, double s)
 {
     return s * (imprint->uniform + imprint->hertz * s) + pull * sqrt(sqrt((1.0 - s) * (1.0 + s)));
@@ -349,7 +383,7 @@ MDR_INLINE double mdr_plastic_sticky_energy(const mdr_plastic_view *view, const 
     const double s = contact->s, u = sqrt((1.0 - s) * (1.0 + s)), a = imprint.radius * u;
     if (!contact->closed) return 0.0;
     return view->modulus
-           * (mdr_plastic_energy_at(&imprint, s, u) - mdr_plastic_force_at(&imprint, s, u) * mdr_plastic_pull(view, a)
+           * (mdr_plastic_energy_at(&imprint, 1.0 - s, u) - mdr_plastic_force_at(&imprint, 1.0 - s, u) * mdr_plastic_pull(view, a)
               + 0.5 * view->line * a * a);
 }
 
@@ -363,14 +397,14 @@ MDR_INLINE double mdr_plastic_loss(const mdr_plastic_view *view, double deepest)
         const size_t panel = mdr_plastic_panel(view, deepest, &t, &rate);
         tension = mdr_law_polynomial(view->tension + 8 * panel, t);
     }
-    return mdr_plastic_work(view, deepest) - view->modulus * mdr_plastic_energy_at(&imprint, 0.0, 1.0) - tension;
+    return mdr_plastic_work(view, deepest) - view->modulus * mdr_plastic_energy_at(&imprint, 1.0, 1.0) - tension;
 }
 
 /* Moves a closed contact with adhesion to d, where it may detach. */
 MDR_INLINE int mdr_plastic_move(const mdr_plastic_view *view, double d, mdr_plastic_sticky *contact)
 {
     const mdr_plastic_imprint imprint = mdr_plastic_any_imprint(view, contact->deepest);
-    const double pull = mdr_plastic_pull(view, imprint.radius), y = contact->deepest - d;
+    const double pull = imprint.radius * mdr_plastic_pull(view, imprint.radius), y = imprint.radius * (contact->deepest - d);
     contact->s = 0.0;
     if (y <= pull) {
         const double reached = mdr_plastic_arrive(view, contact->deepest, d);
@@ -401,8 +435,7 @@ MDR_INLINE int mdr_plastic_follow_sticky(const mdr_plastic_view *view, const dou
         return MDR_EINVALID;
     }
     if (!contact->closed) {
-        const mdr_plastic_imprint imprint = mdr_plastic_any_imprint(view, contact->deepest);
-        const double touch = contact->deepest - (imprint.uniform + imprint.hertz), before = mdr_plastic_loss(view, contact->deepest);
+        const double touch = mdr_plastic_residual(view, contact->deepest), before = mdr_plastic_loss(view, contact->deepest);
         if (d < touch) return MDR_SUCCESS;
         contact->closed = 1;
         const int status = mdr_plastic_move(view, touch, contact);
@@ -427,8 +460,9 @@ MDR_INLINE int mdr_plastic_sticky_state(const mdr_plastic_view *view, const doub
         const double s = contact->s, u = sqrt((1.0 - s) * (1.0 + s));
         radius = imprint.radius * u;
         const double pull = mdr_plastic_pull(view, radius), steep = (imprint.uniform + 2.0 * imprint.hertz * s) * (u * u);
-        *F = view->modulus * (mdr_plastic_force_at(&imprint, s, u) - 2.0 * radius * pull);
-        *slope = 2.0 * view->modulus * radius * (steep - 1.5 * pull * s) / (steep - 0.5 * pull * s);
+        const double bend = imprint.radius * pull * s;
+        *F = view->modulus * (mdr_plastic_force_at(&imprint, 1.0 - s, u) - 2.0 * radius * pull);
+        *slope = 2.0 * view->modulus * radius * (steep - 1.5 * bend) / (steep - 0.5 * bend);
     } else {
         const int found = mdr_plastic_virgin(view, contact->deepest, &force, &rise, &radius, &widening);
         const double pull = mdr_plastic_pull(view, radius);
@@ -446,12 +480,22 @@ MDR_INLINE size_t mdr_plastic_memory_size(const mdr_plastic_view *view)
     return view->line > 0.0 ? 2 : 1;
 }
 
+/* Copies the memory of a contact. */
+MDR_INLINE void mdr_plastic_keep(const mdr_plastic_view *view, const double from[], double memory[])
+{
+    memory[0] = from[0];
+    if (view->line > 0.0) memory[1] = from[1];
+}
+
 /* A step of one contact from its memory to the one after it: F, dF/dd and a; a == NULL: the first two alone. */
 MDR_INLINE int mdr_plastic_step(const mdr_plastic_view *view, double d, const double memory[], double after[], double *F, double *slope,
                                 double *a)
 {
     mdr_plastic_sticky contact;
-    if (!(view->line > 0.0)) return mdr_plastic_follow(view, memory[0], d, &after[0], F, slope, a);
+    if (!(view->line > 0.0)) {
+        after[1] = 0.0;
+        return mdr_plastic_follow(view, memory[0], d, &after[0], F, slope, a);
+    }
     const int status = mdr_plastic_sticky_state(view, memory, d, &contact, F, slope, a);
     after[0] = contact.closed ? -contact.deepest : contact.deepest;
     after[1] = contact.lost;
@@ -473,7 +517,7 @@ MDR_INLINE int mdr_plastic_view_advance(const mdr_plastic_view *view, double d, 
 {
     double after[2];
     const int status = mdr_plastic_step(view, d, memory, after, F, slope, NULL);
-    if (status == MDR_SUCCESS) memcpy(memory, after, mdr_plastic_memory_size(view) * sizeof *memory);
+    if (status == MDR_SUCCESS) mdr_plastic_keep(view, after, memory);
     else *F = *slope = (double)NAN;
     return status;
 }
@@ -496,7 +540,7 @@ MDR_INLINE int mdr_plastic_view_try(const mdr_plastic_view *view, double d, cons
     double kept[2];
     const int status = mdr_plastic_step(view, d, memory, kept, &point->force, &point->slope, &point->radius);
     if (status != MDR_SUCCESS) point->force = point->slope = point->radius = (double)NAN;
-    else if (after) memcpy(after, kept, mdr_plastic_memory_size(view) * sizeof *after);
+    else if (after) mdr_plastic_keep(view, kept, after);
     return status;
 }
 
@@ -522,7 +566,7 @@ MDR_INLINE int mdr_plastic_view_energies(const mdr_plastic_view *view, double d,
         status = mdr_plastic_follow_sticky(view, memory, d, &contact);
         if (status == MDR_SUCCESS) *stored = mdr_plastic_sticky_energy(view, &contact);
     } else {
-        double F, slope, s, u;
+        double F, slope, t, u;
         status = mdr_plastic_follow(view, memory[0], d, &contact.deepest, &F, &slope, NULL);
         if (status == MDR_SUCCESS) {
             *stored = 0.0;
@@ -530,9 +574,8 @@ MDR_INLINE int mdr_plastic_view_energies(const mdr_plastic_view *view, double d,
                 *stored = mdr_plastic_work(view, d);
             } else {
                 const mdr_plastic_imprint imprint = mdr_plastic_imprint_of(view, contact.deepest);
-                if (mdr_plastic_edge(&imprint, contact.deepest - d, &s, &u)) {
-                    *stored = view->modulus * mdr_plastic_energy_at(&imprint, s, u);
-                }
+                mdr_plastic_edge(&imprint, contact.deepest - d, &t, &u);
+                *stored = view->modulus * mdr_plastic_energy_at(&imprint, t, u);
             }
         }
     }

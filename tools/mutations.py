@@ -417,5 +417,10 @@ MUTATIONS = [
     ("extensions/conduction/rough_law.f90", "lambda = sqrt(2.0_wp)*z", "lambda = z", "test_conduction.py"),
     ("extensions/wear/past.f90", "call of%contact%at_depth(depth, state, error)",
      "call of%contact%at_depth(0.5_wp*depth, state, error)", "test_wear.py"),
+    ("extensions/plastic/law/kernel.c", "to[b->place[i]] = from[i]", "to[i] = from[i]", "^c_plastic_law$"),
+    ("extensions/plastic/law/kernel.c", "memory[i] >= 0.0 && memory[i] <= highest ? 1", "memory[i] <= highest ? 1",
+     "^c_plastic_law$"),
+    ("extensions/plastic/law/compile.f90", "state%radius*state%uniform]", "state%uniform]", "test_plastic_law.py"),
+    ("extensions/plastic/law/compile.f90", "panel(3::width) = factor**2*", "panel(3::width) = factor*", "test_plastic_law.py"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""

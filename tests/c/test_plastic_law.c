@@ -142,6 +142,41 @@ static void test_inline(double gamma)
     CHECK_FREE(law);
 }
 
+/* Arrays: the bits of the inline functions for any mixture of contacts, blocks of one kind and of many, with outputs on the input. */
+static void test_arrays(void)
+{
+    enum { MOST = 20000, MANY = 1500 };
+    static double buffer[MOST], d[MANY], memory[MANY], before[MANY], F[MANY], slope[MANY], a[MANY];
+    mdr_plastic_law *law = law_of(1e-5, NULL);
+    mdr_plastic_law_facts facts = MDR_SIZED(mdr_plastic_law_facts);
+    mdr_plastic_view view;
+    unsigned random = 7;
+
+    CHECK_SUCCESS(mdr_plastic_law_about(law, &facts));
+    CHECK_SUCCESS(mdr_plastic_law_buffer(law, facts.buffer_size, buffer));
+    CHECK_INT(mdr_plastic_view_at(buffer, buffer, &view), MDR_SUCCESS);
+    for (int i = 0; i < MANY; i++) {
+        random = random * 1103515245u + 12345u;
+        before[i] = memory[i] = 1e-5 * (double)(random >> 16 & 0x7fff) / 32768.0;
+        random = random * 1103515245u + 12345u;
+        d[i] = 1e-5 * ((double)(random >> 16 & 0x7fff) / 32768.0 * 1.2 - 0.2);
+        if (i < 600 && d[i] > before[i]) d[i] = 0.9 * before[i]; /* two blocks and a part below the largest depth */
+        if (i >= 1200) memory[i] = before[i] = 0.0;
+    }
+    CHECK_SUCCESS(mdr_plastic_law_advance(law, MANY, d, 0, memory, F, slope, a));
+    for (int i = 0; i < MANY; i++) {
+        mdr_plastic_point point;
+        double after = -1.0;
+        CHECK_INT(mdr_plastic_view_try(&view, d[i], &before[i], &after, &point), MDR_SUCCESS);
+        CHECK_TRUE(point.force == F[i] && point.slope == slope[i] && point.radius == a[i] && after == memory[i]);
+    }
+    CHECK_SUCCESS(mdr_plastic_law_advance(law, MANY, d, 1, memory, NULL, NULL, d));
+    CHECK_TRUE(memcmp(a, d, sizeof a) == 0);
+    memory[MANY - 1] = -1.0;
+    CHECK_STATUS(mdr_plastic_law_advance(law, MANY, F, 1, memory, F, NULL, NULL), MDR_EINVALID, "entry 1500 of memory");
+    CHECK_FREE(law);
+}
+
 static void test_refusals(void)
 {
     const double good[3] = {0.0, 0.1, 0.2}, falls[3] = {3.0, 2.0, 1.0}, d = 1e-6, minus = -1.0, none = (double)NAN, far = 1.0;
@@ -231,6 +266,7 @@ int main(void)
     test_restitution();
     test_inline(0.0);
     test_inline(1e-13);
+    test_arrays();
     test_refusals();
     test_points();
     return check_report("plastic_law");

@@ -18,6 +18,23 @@ HEAD = ("format", "size", "elastic", "yield", "highest", "scale", "offset", "bit
 """Members of mdr_plastic_head."""
 
 
+EVEN = (0.7091995761560778, 0.015332626935539106, 0.0013571087988488734, 0.00012895593938380375,
+        1.2712705522649381e-05, 1.2950133095189356e-06, 1.1839080872960026e-07, 2.1092491610519582e-08)  # fmt: skip
+ODD = (0.05440056512511779, 0.004504519998373107, 0.00041581942315712886, 4.035590547187221e-05,
+       4.0290827458097725e-06, 4.1397579345129936e-07, 3.8031184673660666e-08, 6.8235224993021594e-09)  # fmt: skip
+"""Of mdr_plastic_segment."""
+
+
+def segment(t: Any) -> Any:
+    """mdr_plastic_segment"""
+    x = t - (1.0 - t)
+    q = x * x
+    even, odd = EVEN[7], ODD[7]
+    for c, d in zip(EVEN[6::-1], ODD[6::-1], strict=True):
+        even, odd = c + q * even, d + q * odd
+    return even + x * odd
+
+
 class _Elastic:
     """The elastic law in the buffer of a plastic one, for `Branch`."""
 
@@ -41,7 +58,7 @@ class Numbers:
         self.head = dict(zip(HEAD, buffer.tolist(), strict=False))
         panels, rows = int(self.head["panels"]), int(self.head["rows"])
         self.elastic = law_arrays(buffer[int(self.head["elastic"]) :])
-        # the polynomials of F, a and the share of uniform pressure
+        # the polynomials of F, a and B2
         self.rows = buffer[rows : rows + 32 * panels].reshape(panels, 8, 4).transpose(0, 2, 1)[:, :3].reshape(panels, 24).copy()
         edges = int(self.head["edges"])
         self.edges = buffer[edges : edges + panels + 1].copy() if edges else None
@@ -89,31 +106,18 @@ class Steps:
         return self.rows[panel], y - middle
 
     def _unloading(self, deepest: Any, depth: Any) -> Any:
-        """F of the imprint of the largest depth, theory/plastic.md (2.3)-(2.10)."""
+        """F of the imprint of the largest depth, theory/plastic.md (2.9)."""
         xp, modulus = self.xp, self.head["modulus"]
-        row, t = self._place(deepest)
-        radius, uniform = _polynomial(row[..., 8:16], t), _polynomial(row[..., 16:], t)
+        row, at = self._place(deepest)
+        radius, uniform = _polynomial(row[..., 8:16], at), _polynomial(row[..., 16:], at)
         uniform = xp.where(uniform > 0.0, uniform, 0.0)
-        hertz = 0.75 * _polynomial(row[..., :8], t) / (modulus * radius) - 0.375 * np.pi * uniform
-        y = deepest - depth
-        w = hertz + uniform - y
+        hertz = 0.75 / modulus * _polynomial(row[..., :8], at) - 0.375 * np.pi * uniform
+        w = (hertz + uniform) - radius * (deepest - depth)
         closed = w > 0.0
-        # t = 1 - s, from the end that does not cancel
-        y, w = xp.where(closed, y, 0.5 * (hertz + uniform)), xp.where(closed, w, 0.5 * (hertz + uniform))
-        s = 2.0 * y / (uniform + xp.sqrt(xp.where(y > 0.0, uniform**2 + 4.0 * hertz * y, 1.0)))
-        steep = uniform + 2.0 * hertz
-        root = steep**2 - 4.0 * hertz * w
-        left = 2.0 * w / (steep + xp.sqrt(xp.where(root > 0.0, root, 0.0 * root + 1e-300)))
-        near = s > 0.75
-        s = xp.where(near, 1.0 - left, s)
-        u = xp.sqrt(xp.where(near, left * (2.0 - left), (1.0 - s) * (1.0 + s)))
-        q, small = u * u, u < 0.1
-        series = u * q * (1.0 / 3.0 + q * (0.1 + q * (3.0 / 56.0 + q * (5.0 / 144.0 + q * (35.0 / 1408.0 + q * (63.0 / 3328.0))))))
-        steep_edge = s < u
-        angle = xp.where(
-            steep_edge,
-            0.5 * np.pi - xp.arcsin(xp.where(steep_edge, s, 0.0)),
-            xp.arcsin(xp.where(steep_edge, 0.0, u)),
-        )
-        segment = xp.where(small, series, 0.5 * (angle - u * s))
-        return xp.where(closed, 2.0 * modulus * radius * (2.0 / 3.0 * hertz * u * q + uniform * segment), 0.0)
+        w = xp.where(closed, w, 0.5 * (hertz + uniform))
+        b = uniform + 2.0 * hertz
+        root = b * b - 4.0 * hertz * w
+        total = b + xp.sqrt(xp.where(root > 0.0, root, 1e-300))
+        t, u = 2.0 * w / total, 2.0 / total * xp.sqrt(w * (total - w))
+        force = u * t * (4.0 / 3.0 * hertz * (2.0 - t) + 2.0 * uniform * segment(t))
+        return xp.where(closed, modulus * force, 0.0)

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..plastic import PlasticLaw
 from ._numba import BITS_OF_ONE, bits_of, first_touch, force_in, number_of
-from ._plastic import Numbers
+from ._plastic import EVEN, ODD, Numbers
 
 
 def _polynomial(c: Any, t: float) -> Any:
@@ -28,28 +28,26 @@ def _polynomial(c: Any, t: float) -> Any:
 polynomial = numba.njit(_polynomial)
 
 
+def _segment(t: float) -> Any:
+    """mdr_plastic_segment"""
+    x = t - (1.0 - t)
+    q = x * x
+    even, odd = EVEN[7], ODD[7]
+    for i in range(6, -1, -1):
+        even, odd = EVEN[i] + q * even, ODD[i] + q * odd
+    return even + x * odd
+
+
+segment = numba.njit(_segment)
+
+
 def _imprint_force(radius: float, uniform: float, hertz: float, y: float) -> Any:
     """mdr_plastic_edge and mdr_plastic_force_at: F/E*, and a"""
-    w = (hertz + uniform) - y
-    if not w > 0.0:
-        return 0.0, 0.0
-    s = 0.0
-    if y > 0.0:
-        s = 2.0 * y / (uniform + math.sqrt(max(uniform * uniform + 4.0 * hertz * y, 0.0)))
-    if s < 0.75:
-        u = math.sqrt((1.0 - s) * (1.0 + s))
-    else:
-        steep = uniform + 2.0 * hertz
-        left = 2.0 * w / (steep + math.sqrt(max(steep * steep - 4.0 * hertz * w, 0.0)))
-        s = 1.0 - left
-        u = math.sqrt(left * (2.0 - left))
-    q = u * u
-    if u < 0.1:
-        segment = u * q * (1.0 / 3.0 + q * (0.1 + q * (3.0 / 56.0 + q * (5.0 / 144.0 + q * (35.0 / 1408.0 + q * (63.0 / 3328.0))))))
-    else:
-        angle = 1.5707963267948966 - math.asin(s) if s < u else math.asin(u)
-        segment = 0.5 * (angle - u * s)
-    return 2.0 * radius * (2.0 / 3.0 * hertz * (u * u * u) + uniform * segment), radius * u
+    w = max((hertz + uniform) - radius * y, 0.0)
+    b = uniform + 2.0 * hertz
+    total = b + math.sqrt(max(b * b - 4.0 * hertz * w, 0.0))
+    t, u = 2.0 / total * w, 2.0 / total * math.sqrt(w * (total - w))
+    return u * t * (4.0 / 3.0 * hertz * (2.0 - t) + 2.0 * uniform * segment(t)), radius * u
 
 
 imprint_force = numba.njit(_imprint_force)
@@ -99,7 +97,7 @@ def function(law: PlasticLaw) -> Any:
         radius, _ = polynomial(rows[panel, 8:16], t)
         uniform, _ = polynomial(rows[panel, 16:], t)
         uniform = uniform if uniform > 0.0 else 0.0
-        hertz = 0.75 * force / (modulus * radius) - 1.1780972450961724 * uniform
+        hertz = 0.75 / modulus * force - 1.1780972450961724 * uniform
         over, edge = imprint_force(radius, uniform, hertz, deepest - d)
         return modulus * over, 2.0 * modulus * edge, kept
 

@@ -24,7 +24,7 @@ module mdrcontact_plastic_law
         type(law_view_t) :: elastic, virgin
         real(c_double) :: yield = 0.0_c_double, highest = 0.0_c_double
         type(c_ptr) :: edges = c_null_ptr, rows = c_null_ptr, energy = c_null_ptr, tension = c_null_ptr
-        real(c_double) :: modulus = 0.0_c_double, line = 0.0_c_double, radius = 0.0_c_double
+        real(c_double) :: modulus = 0.0_c_double, line = 0.0_c_double, hertz = 0.0_c_double, radius = 0.0_c_double
         integer(c_int) :: panels = 0_c_int
     end type plastic_view_t
 
@@ -34,8 +34,8 @@ module mdrcontact_plastic_law
         real(wp), allocatable :: buffer(:)
         !> the elastic law that the buffer holds
         type(law_table_t) :: elastic
-        !> d and F at first yield; d there without adhesion; a E*/(R Y) there of the body that yields, 0 if it is not known
-        real(wp) :: yield_depth = 0.0_wp, yield_force = 0.0_wp, yield_without = 0.0_wp, first_yield = 0.0_wp
+        !> d and F at first yield; a E*/(R Y) there of the body that yields, 0 if it is not known
+        real(wp) :: yield_depth = 0.0_wp, yield_force = 0.0_wp, first_yield = 0.0_wp
         !> the largest depth, F and a there
         real(wp) :: largest_depth = 0.0_wp, largest_force = 0.0_wp, largest_radius = 0.0_wp
         !> R of a paraboloid [length], 0: the law is one of points; E* [modulus]; work of adhesion [modulus length]
@@ -100,6 +100,15 @@ module mdrcontact_plastic_law
             integer(c_int) :: done
         end function mdrcontact_plastic_steps
 
+        pure function mdrcontact_plastic_possible(view, largest, n, depth, memory) result(possible) bind(C)
+            import :: c_double, c_int, plastic_view_t
+            type(plastic_view_t), intent(in) :: view
+            real(c_double), intent(in), value :: largest
+            integer(c_int), intent(in), value :: n
+            real(c_double), intent(in) :: depth(n), memory(n)
+            integer(c_int) :: possible
+        end function mdrcontact_plastic_possible
+
         function mdrcontact_plastic_energies(view, n, depth, memory, stored, dissipated) result(done) bind(C)
             import :: c_double, c_int, c_ptr, plastic_view_t
             type(plastic_view_t), intent(in) :: view
@@ -110,12 +119,12 @@ module mdrcontact_plastic_law
             integer(c_int) :: done
         end function mdrcontact_plastic_energies
 
-        function mdrcontact_plastic_recovery(view, deepest) result(recovery) bind(C)
+        function mdrcontact_plastic_residual(view, deepest) result(residual) bind(C)
             import :: c_double, plastic_view_t
             type(plastic_view_t), intent(in) :: view
             real(c_double), intent(in), value :: deepest
-            real(c_double) :: recovery
-        end function mdrcontact_plastic_recovery
+            real(c_double) :: residual
+        end function mdrcontact_plastic_residual
     end interface
 
 contains
@@ -162,12 +171,16 @@ contains
     pure subroutine check_contacts(self, view, depth, memory, error)
         type(plastic_law_t), intent(in) :: self
         type(plastic_view_t), intent(in) :: view
-        real(wp), intent(in) :: depth(:), memory(:, :)
+        real(wp), intent(in), contiguous :: depth(:), memory(:, :)
         type(error_t), allocatable, intent(inout) :: error
         integer :: i
 
         if (size(memory, 1) /= self%memory_size() .or. size(memory, 2) /= size(depth)) then
             call raise(error, error_invalid, ": it must have memory_size numbers for each depth", "memory")
+        end if
+        if (allocated(error)) return
+        if (size(memory, 1) == 1 .and. size(depth) > 0) then
+            if (mdrcontact_plastic_possible(view, self%largest_depth, size(depth, kind=c_int), depth, memory) /= 0) return
         end if
         do i = 1, size(depth)
             if (allocated(error)) return
@@ -282,10 +295,7 @@ contains
         call go_to(self, path, depth, force, radius, error)
         call energies_on(self, path, work, error)
         if (allocated(error)) return
-        associate (deepest => abs(path%memory(1, 1)))
-            if (deepest <= self%yield_without) return
-            residual = deepest - mdrcontact_plastic_recovery(view_of(self), deepest)
-        end associate
+        residual = mdrcontact_plastic_residual(view_of(self), abs(path%memory(1, 1)))
     end subroutine first_loading
 
     !> A contact before its first step.

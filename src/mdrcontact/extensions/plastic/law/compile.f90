@@ -27,7 +27,7 @@ module mdrcontact_plastic_law_compile
     !> First number of the buffer, and numbers of its head: struct mdr_plastic_head.
     real(wp), parameter :: format = 1296843601.0_wp
     integer, parameter :: head_size = 16
-    !> Columns of a panel, F, a and the share of uniform pressure; numbers for each power, the last of which is 0.
+    !> Columns of a panel, F, a and a A2/E* of the imprint; numbers for each power, the last of which is 0.
     integer, parameter :: columns = 3, width = 4, row = coefficient_count
     !> Length of the first panel over the yield depth, and the most bits that number a panel.
     real(wp), parameter :: first_panel = 1.0e-4_wp
@@ -204,8 +204,8 @@ contains
             c(:, j) = interpolating(t, values(:, j))
         end do
         scale = maxval(abs(values), dim=1)
-        ! the share of uniform pressure grows from 0: it counts against the other one
-        scale(3) = max(scale(3), scale(1)/(scale(2)*loading%modulus))
+        ! the uniform pressure grows from 0: it counts against the whole
+        scale(3) = max(scale(3), scale(1)/loading%modulus)
         worst = 0.0_wp
         do i = 1, size(probes)
             between = joint*numbers_at(loading, 0.5_wp*(ends(1)*(1.0_wp - probes(i)) + ends(2)*(1.0_wp + probes(i))))
@@ -224,7 +224,7 @@ contains
         type(loaded_t) :: state
 
         state = loading%at_depth(min(max(depth, loading%first), loading%last))
-        numbers = [state%force, state%radius, state%uniform]
+        numbers = [state%force, state%radius, state%radius*state%uniform]
     end function numbers_at
 
     !> Writes the buffer.
@@ -394,13 +394,12 @@ contains
             associate (panel => law%buffer(rows + width*row*(i - 1) + 1:rows + width*row*i))
                 panel(1::width) = factor**2*panel(1::width)
                 panel(2::width) = factor*panel(2::width)
-                panel(3::width) = factor*panel(3::width)
+                panel(3::width) = factor**2*panel(3::width)
             end associate
         end do
         law%buffer(energy + 1:energy + n) = factor**3*law%buffer(energy + 1:energy + n)
         law%radius = factor*law%radius
         law%yield_depth = factor*law%yield_depth
-        law%yield_without = factor*law%yield_without
         law%yield_force = factor**2*law%yield_force
         law%largest_depth = factor*law%largest_depth
         law%largest_force = factor**2*law%largest_force

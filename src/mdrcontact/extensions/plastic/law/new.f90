@@ -255,7 +255,6 @@ contains
 
         law%yield_depth = first%depth - sqrt(line*first%radius)
         law%yield_force = first%force - 2.0_wp*law%modulus*first%radius*sqrt(line*first%radius)
-        law%yield_without = first%depth
         if (highest > loading%first) then
             last = loading%at_depth(highest)
         else
