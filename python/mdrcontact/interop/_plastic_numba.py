@@ -67,7 +67,7 @@ def function(law: PlasticLaw) -> Any:
     @numba.njit  # type: ignore[untyped-decorator]
     def place(d: float) -> Any:
         if by_bits:
-            y = scale * d + offset
+            y = scale * (d - yields) + offset
             of_y = bits_of(y)
             t = y - number_of((of_y & ~(half + half - np.uint64(1))) | half)
             return int((of_y - BITS_OF_ONE) >> shift), t, scale
