@@ -41,7 +41,9 @@ def draw(figure: Sheet) -> list[Any]:
 def _panel(panel: Panel) -> dict[str, Any]:
     maps = [part for part in panel.parts if isinstance(part, Cells)]
     traces = [trace for i, part in enumerate(panel.parts) for trace in _trace(panel, part, maps, above=i % 2 == 0)]
-    shapes = [_rule(part, bool(maps)) for part in panel.parts if isinstance(part, Rule)]
+    rules = [part for part in panel.parts if isinstance(part, Rule)]
+    shapes = [_rule(part, bool(maps)) for part in rules]
+    names_of_rules = [_name(panel, part, 14 * i) for i, part in enumerate(part for part in rules if part.name)]
     names = sum(trace["showlegend"] for trace in traces)
     x, y = _side(panel, panel.x, "x"), _side(panel, panel.y, "y")
     if panel.equal:
@@ -53,7 +55,16 @@ def _panel(panel: Panel) -> dict[str, Any]:
     legend = {"font": {"size": 11}, **(below if names <= _LEGEND_BELOW else {})}
     margin = {"l": 64, "r": 16, "t": 40 if panel.title else 16, "b": 84 if 0 < names <= _LEGEND_BELOW else 48}
     title = {"text": _plain(panel.title), "font": {"size": _SIZE + 1}, "x": 0.5}
-    own = {"xaxis": x, "yaxis": y, "shapes": shapes, "showlegend": names > 0, "legend": legend, "margin": margin, "title": title}
+    own = {
+        "xaxis": x,
+        "yaxis": y,
+        "shapes": shapes,
+        "annotations": names_of_rules,
+        "showlegend": names > 0,
+        "legend": legend,
+        "margin": margin,
+        "title": title,
+    }
     return {"data": traces, "layout": {**_LAYOUT, **own}}
 
 
@@ -96,23 +107,31 @@ def _band(part: Band) -> dict[str, Any]:
 
 
 def _rule(part: Rule, on_map: bool) -> dict[str, Any]:
-    own = colour(part.colour)
-    label: dict[str, Any] = {"text": _plain(part.name), "textposition": "end", "font": {"size": 11, "color": own}, "textangle": 0}
+    along, across = ("x", "y") if part.vertical else ("y", "x")
+    ends = {f"{along}0": part.at, f"{along}1": part.at, f"{across}0": 0, f"{across}1": 1, f"{across}ref": f"{across} domain"}
+    line = {"color": colour(part.colour), "width": 1.0, "dash": _DASHES[part.dash]}
+    return {"type": "line", **ends, "line": line, "layer": "above" if on_map else "below"}
+
+
+def _name(panel: Panel, part: Rule, lower: int) -> dict[str, Any]:
+    """The name of a rule at its end; it is not cut off at the axes. lower : shift of the name of a vertical rule [px]"""
+    at = math.log10(part.at) if (panel.x if part.vertical else panel.y).log else part.at
+    place: dict[str, Any] = {"x": 1, "xref": "x domain", "xanchor": "right", "y": at, "yref": "y", "yanchor": "bottom"}
     if part.vertical:
-        ends = {"x0": part.at, "x1": part.at, "y0": 0, "y1": 1, "yref": "y domain"}
-        label |= {"xanchor": "left", "yanchor": "top"}
-    else:
-        ends = {"y0": part.at, "y1": part.at, "x0": 0, "x1": 1, "xref": "x domain"}
-        label |= {"xanchor": "right", "yanchor": "bottom"}
-    line = {"color": own, "width": 1.0, "dash": _DASHES[part.dash]}
-    return {"type": "line", **ends, "line": line, "label": label, "layer": "above" if on_map else "below"}
+        anchor = "left" if side_of(panel, Label(part.at, 0.0, "")) == "right" else "right"
+        place = {"x": at, "xref": "x", "xanchor": anchor, "y": 1, "yref": "y domain", "yanchor": "top", "yshift": -lower}
+    font = {"size": 11, "color": colour(part.colour), "shadow": _outline("white")}
+    return {"text": _plain(part.name), "showarrow": False, "font": font, **place}
+
+
+def _outline(of: str) -> str:
+    return ", ".join(f"{x}px {y}px 1px {of}" for x in (-1, 1) for y in (-1, 1))
 
 
 def _label(panel: Panel, part: Label, on_map: bool, above: bool) -> dict[str, Any]:
     font: dict[str, Any] = {"color": colour(part.colour), "size": 11}
     if on_map:  # legible on any colour
-        other = "black" if part.colour == "white" else "white"
-        font["shadow"] = ", ".join(f"{x}px {y}px 1px {other}" for x in (-1, 1) for y in (-1, 1))
+        font["shadow"] = _outline("black" if part.colour == "white" else "white")
     marker = {"symbol": _MARKERS[part.marker], "size": 8, "color": "rgba(0,0,0,0)", "line": {"color": font["color"], "width": 1.5}}
     place = {"textposition": f"{'top' if above else 'bottom'} {side_of(panel, part)}", "cliponaxis": False}
     text = {"text": [_plain(part.text)], "mode": "markers+text", "textfont": font, "marker": marker}
