@@ -17,7 +17,7 @@ _PAGES: dict[str, Any] = {"Design": design, "Measure": measure}
 def layout(session: Session) -> Any:
     """Return the whole page."""
     first = "Measure" if measure.begin(session)[1] or measure.is_mine(session.text) else "Design"
-    undo = html.Button("Undo", id="undo", title="Alt+Z", accessKey="z", n_clicks=0, type="button")
+    undo = html.Button("Undo", id="undo", title="Ctrl+Z", n_clicks=0, type="button")
     tabs = results.tabs("page", [*_PAGES], first, "pages")
     main = html.Main([html.Section(page.layout(session), id=f"{name}-page") for name, page in _PAGES.items()])
     return html.Div([html.Header([html.H1("mdrcontact"), tabs, undo, html.Small(f"version {__version__}")]), main])

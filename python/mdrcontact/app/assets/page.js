@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The server does not read larger drops, and the page would show nothing.
+// The server does not read larger drops, and dcc.Upload reports no rejected files.
 const MOST = 290e6;
 
 for (const kind of ["change", "drop"]) {
@@ -15,3 +15,16 @@ for (const kind of ["change", "drop"]) {
     }
   }, true);
 }
+
+// Esc removes the message. Ctrl+Z undoes the last change of the form, unless a field contains text that is not entered yet.
+let typed = null;
+document.addEventListener("input", event => { typed = event.target; }, true);
+document.addEventListener("change", () => { typed = null; }, true);
+document.addEventListener("keydown", event => {
+  const alert = document.querySelector("section:not([hidden]) [role=alert]");
+  if (event.key === "Escape" && alert) dash_clientside.set_props(alert.id, { children: "" });
+  if ((event.ctrlKey || event.metaKey) && !event.shiftKey && event.key === "z" && event.target !== typed) {
+    event.preventDefault();
+    document.getElementById("undo").click();
+  }
+});
