@@ -99,6 +99,8 @@ _USUAL = (LENGTH, FORCE, STIFFNESS, MODULUS, TIME, AREA, VOLTAGE)
 _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\W\d_].*?)?\s*")
 
 
+_MICRO = re.compile(r"(?<![^\W\d_])u(?=[mNJSW]\b)|(?:(?<=\d )|(?<=\[))u(?=s\b)|^u(?=s$)")
+"""The letter u that is the prefix of a unit."""
 _PLAIN = ("-", "1")
 """Units of plain numbers, as tables write them."""
 _LONGEST_UNIT, _LONGEST_TEXT = 60, 200
@@ -193,6 +195,16 @@ def dimensions(*classes: Any) -> dict[str, Dimension]:
     return {one.name: one.metadata["dimension"] for cls in classes for one in fields(cls) if "dimension" in one.metadata}
 
 
+def with_micro(text: str) -> str:
+    """Return a text with the micro sign in its units, as a page or a figure has them: "5 um" becomes "5 µm"."""
+    return _MICRO.sub("\N{MICRO SIGN}", text)
+
+
+def without_micro(text: str) -> str:
+    """Return a text with "u" for the micro sign, as files have it."""
+    return text.replace("\N{MICRO SIGN}", "u").replace("\N{GREEK SMALL LETTER MU}", "u")
+
+
 class Unit(NamedTuple):
     """A unit results are written in."""
 
@@ -206,7 +218,7 @@ class Unit(NamedTuple):
     @property
     def symbol(self) -> str:
         """The name as it is printed in a figure."""
-        return self.name.replace("u", "\N{MICRO SIGN}", 1) if self.name.startswith("u") else self.name
+        return with_micro(self.name)
 
 
 def practical(dimension: Dimension, values: Iterable[float]) -> Unit:

@@ -47,9 +47,9 @@ def resize(driver, width, height):
 class Page:
     """A page with a server of its own, driven as a user does. page : "design" or "measure" """
 
-    def __init__(self, driver, text="", files=None):
+    def __init__(self, driver, text="", files=None, port=0):
         self.driver, self.session, self.page = driver, Session(text, files), "design"
-        self.server = listen(make_app(self.session))
+        self.server = listen(make_app(self.session), port)
         threading.Thread(target=self.server.serve_forever, daemon=True).start()
         self.base = f"http://{self.server.host}:{self.server.port}/"
         driver.get(self.base + self.session.secret)
@@ -57,6 +57,7 @@ class Page:
 
     def close(self):
         self.server.shutdown()
+        self.server.server_close()
         self.session.close()
 
     def wait(self, truth, what=""):

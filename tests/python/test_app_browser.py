@@ -18,7 +18,7 @@ from conftest import ROOT
 
 import mdrcontact as mdr
 from mdrcontact import problem, studies
-from mdrcontact._units import parse
+from mdrcontact._units import parse, with_micro
 from mdrcontact.cli import main
 from mdrcontact.instruments import schema as measured
 from mdrcontact.problem import edit, schema
@@ -60,8 +60,8 @@ def open_page(driver):
     """Opens a page; at its end nothing is in its console, and no other machine was asked."""
     pages = []
 
-    def opened(text="", files=None):
-        pages.append(Page(driver, text, files))
+    def opened(text="", files=None, port=0):
+        pages.append(Page(driver, text, files, port))
         return pages[-1]
 
     resize(driver, 1360, 1000)
@@ -162,7 +162,13 @@ def test_a_design_by_the_keyboard_alone(open_page):
     layers = edit.value(page.text, ("medium", "layer"))
     assert [one["thickness"] for one in layers] == ["100 nm", "2 um"] and own.indenter == mdr.Paraboloid(20e-6)
     picture(page, "keyboard")
-    keys.send(Keys.ALT, "z")
+    # what is not entered yet is undone in its field, then the last change of the form
+    keys.go(page.dom_id("compute/points"))
+    keys.send("7")
+    keys.send(Keys.CONTROL, "z")
+    assert keys.focus.get_attribute("value") == "100"
+    keys.send(Keys.TAB)
+    keys.send(Keys.CONTROL, "z")
     page.idle()
     assert problem.read_text(page.text).control.values[-1] == pytest.approx(50e-9)
     # tabs by arrows
@@ -175,6 +181,44 @@ def test_a_design_by_the_keyboard_alone(open_page):
     assert page.said == "Models computed" and page.numbers()["spread"]
 
 
+def test_keys_undo_every_change_and_remove_a_message(open_page):
+    first = text_of("sio2_on_si")
+    page = open_page(first)
+    page.idle()
+    keys = Keyboard(page)
+    for path, value in (("compute/max_depth", "40 nm"), ("indenter/radius", "ten")):
+        page.type(path, value)
+    assert "ten" in page.alert
+    keys.send(Keys.ESCAPE)
+    page.wait(lambda: not page.alert, "no message")
+    for _ in range(2):
+        keys.send(Keys.CONTROL, "z")
+        page.idle()
+    assert page.text == first and not page.alert and page.field("compute/max_depth").get_attribute("value") == "100 nm"
+    keys.send(Keys.CONTROL, "z")
+    page.idle()
+    assert page.text == first
+
+
+def test_a_new_command_on_the_same_port_shows_its_own_file(open_page, driver):
+    page = open_page(text_of("sio2_on_si"))
+    page.type("compute/max_depth", "40 nm")
+    page.tab("Models")
+    driver.get(page.base + page.session.secret)  # the same address again
+    page.wait(lambda: page.all(".form fieldset"))
+    page.idle()
+    assert page.field("compute/max_depth").get_attribute("value") == "40 nm"
+    assert page.said == "Models computed"
+    page.close()
+    new = open_page(text_of("tin_on_steel"), port=page.server.port)
+    new.idle()
+    assert new.field("indenter/radius").get_attribute("value") == "100 \u00b5m" and new.said == "Curves computed"
+    new.tab("Models")
+    new.driver.refresh()
+    new.wait(lambda: new.all("#design-said"))
+    new.wait(lambda: new.said == "Models computed", "the tab is kept")
+
+
 def test_a_problem_file_is_opened_and_the_first_change_is_undone(open_page):
     first, other = text_of("sio2_on_si"), text_of("tin_on_steel")
     page = open_page(first)
@@ -183,7 +227,7 @@ def test_a_problem_file_is_opened_and_the_first_change_is_undone(open_page):
     page.wait(lambda: page.text == other, "a file is opened")
     page.idle()
     expected = studies.curve(problem.read_text(other), pressures=True, references=True)
-    assert page.numbers() == {name: str(number) for name, number in expected.numbers.items()}
+    assert page.numbers() == {name: with_micro(str(number)) for name, number in expected.numbers.items()}
     page.driver.find_element(By.ID, "undo").click()
     page.wait(lambda: page.text == first, "the file is undone")
     page.idle()
@@ -468,7 +512,7 @@ def test_the_page_has_the_numbers_of_the_commands(open_page, name, tmp_path):
         found = page.session.jobs.find(("design", TABS[command], page.text))
         for key, value in pinned.items():
             assert found.numbers[key].value == pytest.approx(value, rel=1e-9, abs=1e-300), (command, key)
-            assert shown[key] == str(found.numbers[key])
+            assert shown[key] == with_micro(str(found.numbers[key]))
         # every table of the command is that of the page
         path = tmp_path / f"{command}.csv"
         if command != "compare":

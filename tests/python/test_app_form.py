@@ -129,8 +129,18 @@ def test_what_is_typed():
     )
     # a key with its unit
     spelled = FILM.replace('radius = "10 um"', "radius_um = 10")
-    assert inputs(schema.PROBLEM, spelled)["indenter/radius"] == "10 um"
+    assert inputs(schema.PROBLEM, spelled)["indenter/radius"] == "10 \u00b5m"
     assert problem.read_text(changed(spelled, "indenter/radius", "20 um")).indenter.radius == pytest.approx(20e-6)
+
+
+def test_units_are_shown_with_the_micro_sign_and_written_without():
+    assert inputs(schema.PROBLEM, FILM)["indenter/radius"] == "10 \u00b5m"
+    for typed in ("12 \u00b5m", "12 \u03bcm", "12 um"):
+        assert edit.value(changed(FILM, "indenter/radius", typed), ("indenter", "radius")) == "12 um"
+    # what is not changed stays as it is written
+    greek = FILM.replace('"10 um"', '"10 \u00b5m"')
+    assert changed(greek, "indenter/radius", "10 \u00b5m") == greek and changed(FILM, "indenter/radius", "10 \u00b5m") == FILM
+    assert problem.read_text(greek).indenter == problem.read_text(FILM).indenter
 
 
 def test_only_other_rows_draw_a_part_again():

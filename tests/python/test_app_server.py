@@ -17,6 +17,7 @@ from conftest import ROOT, run
 
 import mdrcontact as mdr
 from mdrcontact import cli
+from mdrcontact._units import with_micro
 from mdrcontact.errors import CancelledError
 
 pytest.importorskip("dash", reason="the extra app is not installed")
@@ -77,6 +78,13 @@ def test_the_address_of_a_started_browser_opens_the_page_once(session):
     assert status(first, f"/{once}") == 200 == status(first, "/")
     assert status(second, f"/{once}") == 403 == status(second, "/")
     assert status(make_app(session).server.test_client(), "/") == 403
+
+
+def test_a_new_command_forgets_what_the_browser_kept_of_an_earlier_one(session):
+    browser = make_app(session).server.test_client()
+    browser.set_cookie(f"mdrcontact-{PORT}", "of an earlier command", domain="127.0.0.1")
+    answers = [browser.get(f"/{session.secret}", base_url=HERE) for _ in range(2)]
+    assert [one.headers.get("Clear-Site-Data") for one in answers] == ['"storage"', None]
 
 
 def test_a_secret_of_another_port_is_none(session, page):
@@ -411,8 +419,8 @@ def test_a_design_through_the_callbacks_is_that_of_the_command(page, tmp_path):
     found = asked_of(page, "design-results", {"design.data": {"text": text}, "design-tab.value": "Curves"}, "design.data")
     expected = mdr.studies.curve(mdr.problem.read_text(text), pressures=True, references=True)
     shown = texts(found["design-results"]["children"])
-    assert expected.numbers and {str(number) for number in expected.numbers.values()} < set(shown)
-    assert set(expected.notes.values()) < set(shown) and not found["design-alert"]["children"]
+    assert expected.numbers and {with_micro(str(number)) for number in expected.numbers.values()} < set(shown)
+    assert {with_micro(words) for words in expected.notes.values()} < set(shown) and not found["design-alert"]["children"]
     # an error, and the field that it is about
     text = text.replace('radius = "10 um"', 'radius = "-10 um"')
     found = asked_of(page, "design-results", {"design.data": {"text": text}, "design-tab.value": "Curves"}, "design.data")

@@ -7,7 +7,7 @@ from conftest import ROOT
 
 import mdrcontact as mdr
 from mdrcontact import problem, studies
-from mdrcontact._units import LENGTH
+from mdrcontact._units import LENGTH, with_micro, without_micro
 from mdrcontact.panels import Axis, Band, Bars, Cells, Figure, Label, Line, Panel, Rule, along, cut, marked
 
 pytest.importorskip("matplotlib")
@@ -66,6 +66,18 @@ def test_many_names_have_one_legend_below_the_figure():
     lines = tuple(Line(X, i * X, f"model {i}", i) for i in range(8))
     drawn = draw(Figure("", (figure(*lines).panels[0],) * 3, columns=3))
     assert len(drawn.legends) == 1 and not any(axis.get_legend() for axis in drawn.axes)
+
+
+@pytest.mark.parametrize(
+    ("written", "shown"),
+    [
+        ("5 um", "5 \u00b5m"), ("[um]", "[\u00b5m]"), ("um", "\u00b5m"), ("GPa/um", "GPa/\u00b5m"), ("5um^2", "5\u00b5m^2"),
+        ("uN*m", "\u00b5N*m"),
+        ("2 us", "2 \u00b5s"), ("us", "\u00b5s"), ("column", "column"), ("tell us", "tell us"), ("nu 0.3 mu F", "nu 0.3 mu F"),
+    ],
+)  # fmt: skip
+def test_the_micro_sign_is_that_of_units(written, shown):
+    assert with_micro(written) == shown and without_micro(shown) == written
 
 
 def test_counts_and_names_of_an_axis():

@@ -71,9 +71,9 @@ def first_text(session: Session) -> str:
 
 def layout(session: Session) -> list[Any]:
     """Return the form and the results."""
-    select = dbc.Select(id=f"{NAME}-example", options={"": "choose one", **{name: name for name in examples()}}, value="")
+    select = dbc.Select(id=f"{NAME}-example", options=[*examples()], value="", placeholder="choose one")
     example = html.Div([html.Label("example", htmlFor=f"{NAME}-example"), select], className="row")
-    head = html.Div([editor.head(NAME), example], className="head")
+    head = html.Div([html.Div(editor.buttons(NAME), className="buttons"), example], className="head")
     left = html.Form([head, html.Div(id=f"{NAME}-form")], className="form")
     return [*editor.stores(NAME), left, results.frame(NAME, [*STUDIES, _FILE])]
 

@@ -31,11 +31,11 @@ def stores(name: str) -> list[Any]:
     return [kept, dcc.Store(id=f"{name}-drawn"), dcc.Store(id=f"{name}-where"), dcc.Download(id=f"{name}-file")]
 
 
-def head(name: str) -> Any:
+def buttons(name: str) -> list[Any]:
     """Return the buttons above a form."""
     save = html.Button("Save", id=f"{name}-save", title="download the problem file", n_clicks=0, type="button")
     opened = html.Label(["Open", dcc.Upload("", id=f"{name}-open")], className="button")
-    return html.Div([opened, save], className="buttons")
+    return [opened, save]
 
 
 def file_tab(name: str, text: str, commands: list[str], python: list[str]) -> list[Any]:

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import dash_bootstrap_components as dbc
 from dash import html
 
+from .._units import with_micro, without_micro
 from ..instruments.files.start_file import MARK
 from ..problem import edit
 from ..problem.field import Field, Table
@@ -154,6 +155,10 @@ def edited(root: Table, text: str, path: Path, value: str) -> str:
     if one is None:  # the form was drawn for another text
         return text
     name, old = spelled(one, table, values)
+    if one.dimension is not None:
+        if old is not None and value == with_micro(shown(old)):
+            return text
+        value = without_micro(value)
     if not value.strip():
         return text if old is None else edit.without(text, (*place, name))
     new = typed(one, value.strip())
@@ -352,7 +357,7 @@ class _Form(NamedTuple):
             words = words if default or one.required else ("", *words)
             control = self.select(path, words, shown(value) if value is not None else default)
         else:
-            given = "" if value is None else shown(value)
+            given = "" if value is None else with_micro(shown(value)) if one.dimension else shown(value)
             control = dbc.Input(id=id_of(self.name, "set", path), value=given, placeholder=default, debounce=True)
         return self.row(path, one.meaning, control, one.name)
 
@@ -364,7 +369,7 @@ class _Form(NamedTuple):
     def row(self, path: Path, meaning: str, control: Any, key: str = "") -> Any:
         """Return an input with its label and its error."""
         words, _, rest = meaning.partition(";")
-        named: Any = [words, html.Code(key)] if key not in ("", words) else words
+        named: Any = [f"{words} ", html.Code(key)] if key not in ("", words) else words
         label = html.Label(named, title=rest.strip(), htmlFor=dom_id(id_of(self.name, "set", path)))
         return html.Div([label, control, self.error(path)], className="row guess" if path in self.guesses else "row")
 

@@ -10,6 +10,7 @@ from dash import Dash, Input, Output, State, html, no_update
 from dash.exceptions import PreventUpdate
 from dash_ag_grid import AgGrid
 
+from .._units import with_micro
 from ..cli.table import as_rows
 from ..instruments.fitting import FitResult
 from ..problem import edit
@@ -25,7 +26,7 @@ _OPTIONS = {"rowSelection": {"mode": "multiRow", "enableClickSelection": False},
 
 def report(run: Mapping[str, Any], found: FittedCurves) -> list[Any]:
     """Return the means, the figure or map, and a row for each curve."""
-    parts: list[Any] = [html.H2(found.title), *(html.P(words, className="note") for words in found.notes.values())]
+    parts: list[Any] = [html.H2(found.title), *(html.P(with_micro(words), className="note") for words in found.notes.values())]
     parts += [results.table(found.tables["spread"])] if "spread" in found.tables else []
     return [
         *parts,
@@ -38,7 +39,7 @@ def report(run: Mapping[str, Any], found: FittedCurves) -> list[Any]:
 
 def grid(run: Mapping[str, Any], found: FittedCurves) -> Any:
     """Return the table of the curves: those that are not ticked are left out, and a row shows its fit."""
-    titles, *cells = as_rows(found.tables["curves"])
+    titles, *cells = [[with_micro(cell) for cell in row] for row in as_rows(found.tables["curves"])]
     titles.append("why")
     why = {one.curve.name: "; ".join(one.rating.reasons) for one in found.fitted}
     failed = {

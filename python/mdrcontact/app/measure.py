@@ -14,7 +14,7 @@ from dash import ALL, Dash, Input, Output, State, ctx, dcc, html, no_update
 from dash.exceptions import PreventUpdate
 
 from .. import studies
-from .._units import RATIO, shown
+from .._units import RATIO, shown, with_micro, without_micro
 from ..cli import pages
 from ..cli.files import DATA_SUFFIXES
 from ..cli.table import as_csv
@@ -73,7 +73,9 @@ def layout(_session: Session) -> list[Any]:
     options = (("moves", "other ranges too"), ("compare", "all models too"))
     boxes = [dbc.Checkbox(id=f"{NAME}-{name}", label=words, value=False) for name, words in options]
     start = html.Button("Fit", id=f"{NAME}-start", n_clicks=0, type="button", className="main")
-    head = html.Div([editor.head(NAME), html.Div([start, *boxes], className="buttons")], className="head")
+    head = html.Div(
+        [html.Div([start, *editor.buttons(NAME)], className="buttons"), html.Div(boxes, className="buttons")], className="head"
+    )
     left = [drop, head, html.Div(id=f"{NAME}-form"), html.Div(id=f"{NAME}-sought")]
     stores = [dcc.Store(id=f"{NAME}-{name}", storage_type="session") for name in ("names", "run")]
     return [*editor.stores(NAME), *stores, html.Form(left, className="form"), results.frame(NAME, ["Data", "Fit", "File"])]
@@ -104,8 +106,8 @@ def sought(session: Session, text: str) -> Any:
     for name, value in {**numbers, **dict.fromkeys(free.keys() - numbers.keys(), math.nan)}.items():
         own, known = id_of(NAME, "set", (_FREE, name)), id_of(NAME, "set", (_PRIOR, name))
         now = "" if value is None else "no number of this problem" if math.isnan(value) else shown(value, dimension_of(name), 6)
-        box = dbc.Checkbox(id=own, value=name in free, label=html.Span([words_of(name), " ", html.Small(now)]))
-        sd = dbc.Input(id=known, value=str(free.get(name, {}).get("prior_sd", "")), placeholder="sd", debounce=True)
+        box = dbc.Checkbox(id=own, value=name in free, label=html.Span([words_of(name), " ", html.Small(with_micro(now))]))
+        sd = dbc.Input(id=known, value=with_micro(str(free.get(name, {}).get("prior_sd", ""))), placeholder="sd", debounce=True)
         label = html.Label(f"standard deviation of {words_of(name)}", htmlFor=dom_id(known), className="unseen")
         error = html.Span(id=id_of(NAME, "error", (*_AT, name)), className="error")
         rows.append(html.Div([box, html.Span([label, sd]), error], className="row"))
@@ -121,6 +123,7 @@ def seek(session: Session, text: str, path: Path, value: Any) -> str:
     if what == _FREE and not value:
         rest = [one for one in free if one != name]
         return edit.without(text, (*_AT, name)) if any(free.values()) else edit.changed(text, _AT, rest)
+    value = without_micro(value) if what == _PRIOR else value
     if what == _PRIOR and value:
         now = numbers_of(session, text)[name] or 0.0
         is_plain = dimension_of(name) == RATIO
@@ -217,9 +220,9 @@ def register(dash: Dash, session: Session) -> None:
         prevent_initial_call=True,
     )
     def drop(contents: Any, names: Any, old: Any, data: Any) -> Any:
-        """Keep the files, and begin with what is in the first one, or with the problem file among them."""
+        """Keep the files in the order of their names, and begin with the first one, or with the problem file among them."""
         try:
-            added = session.add({name: editor.content_of(one) for name, one in zip(names, contents, strict=True)})
+            added = session.add({name: editor.content_of(one) for name, one in sorted(zip(names, contents, strict=True))})
             texts = [name for name in added if name.endswith(".toml")]
             rest = [name for name in added if name not in texts]
             given = [session.path(name).read_text("utf-8", "replace") for name in texts]
@@ -336,7 +339,7 @@ def _has_range(text: str) -> bool:
 
 def ranged(text: str, axis: str, ends: list[float]) -> str:
     """Return the text with a range of depth along an axis, whose title has the unit."""
-    unit = axis.partition("[")[2].rstrip("]").replace("\u00b5", "u")
+    unit = axis.partition("[")[2].rstrip("]")
     for key, end in zip(("min_depth", "max_depth"), sorted(ends), strict=True):
-        text = edit.changed(text, ("data", key), f"{end:.4g} {unit}")
+        text = edit.changed(text, ("data", key), without_micro(f"{end:.4g} {unit}"))
     return text

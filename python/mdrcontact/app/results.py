@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import dash_bootstrap_components as dbc
 from dash import Output, ctx, dcc, html, no_update
 
+from .._units import with_micro
 from ..cli.table import as_csv, as_rows
 from ..cli.workbook import as_xlsx
 from ..errors import CancelledError, MDRError
@@ -108,32 +109,33 @@ def show_answer(name: str, found: Answer, report: Callable[[Any], Any], said: st
 
 def panels(figure: Any, drags: str = "") -> Any:
     """Return the drawings of a figure, as many side by side as there is room. drags : page that takes ranges from them"""
-    drawn = []
-    for i, (one, panel) in enumerate(zip(plotly.draw(figure), figure.panels, strict=True)):
+    drawn, below = [], figure.panels[-1].x
+    # a panel above another one has no name of its axis
+    panels = tuple(
+        one if one.x.title else one._replace(x=one.x._replace(name=below.name, unit=below.unit)) for one in figure.panels
+    )
+    for i, (one, panel) in enumerate(zip(plotly.draw(figure._replace(panels=panels)), panels, strict=True)):
         own: dict[str, Any] = {"id": {"of": drags, "drag": i}} if drags else {}
         one.update_layout({"dragmode": "select", "selectdirection": "h"} if drags else {})
         graph = dcc.Graph(figure=one, config=_CONFIG, style={"height": "340px"}, **own)
-        drawn.append(html.Figure([graph, html.Figcaption(_caption(panel), className="unseen")]))
+        caption = f"{panel.title}: {panel.y.title} over {panel.x.title}".removeprefix(": ")
+        drawn.append(html.Figure([graph, html.Figcaption(caption, className="unseen")]))
     return html.Div(drawn, className="panels")
-
-
-def _caption(panel: Any) -> str:
-    return f"{panel.title}: {panel.y.title} over {panel.x.title}".removeprefix(": ")
 
 
 def report(found: Result, figure: Figure | None) -> list[Any]:
     """Return numbers, warnings, notes, figure and tables of a study."""
-    numbers = [html.Div([html.Dt(name), html.Dd(str(number))]) for name, number in found.numbers.items()]
+    numbers = [html.Div([html.Dt(name), html.Dd(with_micro(str(number)))]) for name, number in found.numbers.items()]
     parts: list[Any] = [html.Dl(numbers, className="numbers")] if numbers else []
     parts += items(found.warnings, "warnings")
-    parts += [html.P(words, className="note") for about, words in found.notes.items() if about not in found.tables]
+    parts += [html.P(with_micro(words), className="note") for about, words in found.notes.items() if about not in found.tables]
     parts += [panels(figure)] if figure is not None and figure.panels else []
     return [*parts, *folded(found.tables, found.notes)]
 
 
 def items(lines: Iterable[Any], look: str = "") -> list[Any]:
     """Return a list, or nothing without lines. look : its class"""
-    entries = [html.Li(str(line)) for line in lines]
+    entries = [html.Li(with_micro(str(line))) for line in lines]
     return [html.Ul(entries, className=look)] if entries else []
 
 
@@ -141,7 +143,7 @@ def folded(tables: Mapping[str, Any], notes: Mapping[str, str] = MappingProxyTyp
     """Return tables behind folds, each with what is said about it; short ones are open."""
     made = []
     for name, one in tables.items():
-        words = [html.P(notes[name], className="note")] if name in notes else []
+        words = [html.P(with_micro(notes[name]), className="note")] if name in notes else []
         made.append(html.Details([html.Summary(f"table: {name}"), *words, table(one)], open=len(one[0].values) <= _FEW))
     return made
 
@@ -154,7 +156,7 @@ def table(columns: Any) -> Any:
 
 def rows(cells: Sequence[Sequence[str]], caption: str = "") -> Any:
     """Return a table of words, its titles first."""
-    head, *body = cells
+    head, *body = [[with_micro(cell) for cell in row] for row in cells]
     lines = html.Tbody([html.Tr([html.Td(cell) for cell in row]) for row in body])
     titles = html.Thead(html.Tr([html.Th(cell, scope="col") if cell else html.Td() for cell in head]))
     return html.Div(html.Table([*([html.Caption(caption)] if caption else []), titles, lines]), className="table", tabIndex=0)

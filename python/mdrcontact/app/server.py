@@ -75,6 +75,8 @@ def guard(dash: Dash, session: Session) -> None:
         given = request.path.removeprefix("/")
         if _is(given, session.secret) or session.opens(given):
             answer = Response(_ENTRANCE, mimetype="text/html")
+            if not _is(request.cookies.get(cookie, ""), session.secret):  # what a page of an earlier command left is of no use
+                answer.headers["Clear-Site-Data"] = '"storage"'
             answer.set_cookie(cookie, session.secret, httponly=True, samesite="Strict")
             return answer
         if not _is(request.cookies.get(cookie, ""), session.secret):
