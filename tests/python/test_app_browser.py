@@ -465,7 +465,7 @@ def test_long_work_is_cancelled(open_page):
     page.one("cancel").click()
     page.wait(lambda: page.alert == "The work was cancelled.")
     page.idle()
-    assert page.alert and not page.session.jobs.latest.is_running and not page.one("busy").is_displayed()
+    assert page.alert and not page.session.jobs.latest.is_alive() and not page.one("busy").is_displayed()
     page.tab("Curves")
     page.tab("Stress")
     assert page.said == "Stress computed" and not page.alert

@@ -227,8 +227,8 @@ def test_a_text_opens_dropped_files_alone(session, name, tmp_path, monkeypatch):
 
 
 def ended(job):
-    job.wait(60)
-    assert not job.is_running
+    job.join(60)
+    assert not job.is_alive()
     return job
 
 
@@ -287,7 +287,7 @@ def test_many_fits_are_cancelled_within_one(session):
     problem = mdr.instruments.load_fit_file(folder / "modulus_of_oxide.toml")
     curves = problem.curves(folder / "modulus_of_oxide.csv") * 200
     job = session.jobs.start("m", "many fits", lambda progress: mdr.studies.many(problem, curves, progress=progress))
-    while job.is_running and job.done[0] < 1:
+    while job.is_alive() and job.done[0] < 1:
         time.sleep(0.001)
     session.jobs.cancel()
     done = job.done[0]

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 import dash_bootstrap_components as dbc
-from dash import ALL, Dash, Input, Output, State, ctx, html
+from dash import Dash, ctx, html
 from dash.exceptions import PreventUpdate
 
 from .. import studies
@@ -16,7 +16,6 @@ from ..errors import MDRError
 from ..problem import edit, schema
 from ..progress import Progress
 from . import editor, results
-from .results import Answer, answer
 from .session import Session
 
 NAME = "design"
@@ -46,27 +45,8 @@ STUDIES = {
 }
 
 
-def computed(session: Session, text: str, tab: str, start: bool = True) -> Answer:
-    """Return what the study of a tab computes of a text, as its command does. start : as in `answer`"""
-    study, options, _ = STUDIES[tab]
-
-    def work(progress: Progress) -> Any:
-        return study(session.problem(text), **options, progress=progress)
-
-    return answer(session, _key(text, tab), tab, work, start)
-
-
 def _command(tab: str) -> str:
     return f"mdrcontact {STUDIES[tab].study.__name__} problem.toml"
-
-
-def _key(text: str, tab: str) -> tuple[str, ...]:
-    return NAME, tab, text
-
-
-def first_text(session: Session) -> str:
-    """Return the text that the page begins with."""
-    return session.text or examples()[_FIRST]
 
 
 def layout(session: Session) -> list[Any]:
@@ -80,51 +60,34 @@ def layout(session: Session) -> list[Any]:
 
 def register(dash: Dash, session: Session) -> None:
     """Register the callbacks."""
-    first = first_text(session)
+    first = session.text or examples()[_FIRST]
     editor.register(dash, NAME, schema.PROBLEM, first)
 
-    @dash.callback(
-        results.outputs(NAME),
-        Input(NAME, "data"),
-        Input(f"{NAME}-tab", "value"),
-        Input(f"{NAME}-again", "n_intervals"),
-        Input(f"{NAME}-cancel", "n_clicks"),
-    )
+    @results.on(dash, NAME, results.SHOWN, ".data tab.value again.n_intervals cancel.n_clicks", first=True)
     def compute(data: Any, tab: str, _ticks: Any, _cancel: Any) -> Any:
         """Show the results of the text."""
         text = editor.text_of(data, first)
-        if ctx.triggered_id == f"{NAME}-cancel":
-            session.jobs.cancel()
         if tab == _FILE:
             return results.show(_file(text))
-        command = results.files(NAME, _command(tab))
+        study, options, _ = STUDIES[tab]
+
+        def work(progress: Progress) -> Any:
+            return study(session.problem(text), **options, progress=progress)
 
         def report(found: Any) -> list[Any]:
-            return [*results.report(found, found.figure()), command]
+            return [*results.report(found, found.figure()), results.files(NAME, _command(tab))]
 
-        return results.show_answer(NAME, computed(session, text, tab, results.begins(NAME)), report, f"{tab} computed")
+        return results.show_study(session, NAME, (NAME, tab, text), tab, work, report)
 
-    @dash.callback(
-        Output(f"{NAME}-file", "data", allow_duplicate=True),
-        Input({"of": NAME, "get": ALL}, "n_clicks"),
-        State(NAME, "data"),
-        State(f"{NAME}-tab", "value"),
-        prevent_initial_call=True,
-    )
+    @results.on(dash, NAME, "file.data", "of:get.n_clicks", ".data tab.value")
     def get(clicks: Any, data: Any, tab: str) -> Any:
         """Download a file of the result."""
-        found = session.jobs.find(_key(editor.text_of(data, first), tab))
+        found = session.jobs.find((NAME, tab, editor.text_of(data, first)))
         if found is None or not any(clicks):
             raise PreventUpdate
         return results.written(found, ctx.triggered_id["get"], _command(tab))
 
-    @dash.callback(
-        Output(NAME, "data", allow_duplicate=True),
-        Output(f"{NAME}-example", "value"),
-        Input(f"{NAME}-example", "value"),
-        State(NAME, "data"),
-        prevent_initial_call=True,
-    )
+    @results.on(dash, NAME, ".data example.value", "example.value", ".data")
     def choose(name: str, data: Any) -> Any:
         """Begin with an example."""
         if not name:

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Any
 
 import dash_bootstrap_components as dbc
-from dash import ALL, Dash, Input, Output, State, ctx, dcc, html, no_update
+from dash import Dash, ctx, dcc, html, no_update
 from dash.exceptions import PreventUpdate
 
 from ..errors import MDRError
@@ -60,16 +60,7 @@ def with_text(data: Any, first: str, text: str, by: str = "") -> dict[str, Any]:
 def register(dash: Dash, name: str, root: Table, first: str, seek: Seek | None = None) -> None:
     """Let the form edit the text, and the text draw the form. seek : edits the text by inputs whose paths begin with #"""
 
-    @dash.callback(
-        Output(name, "data"),
-        Output(f"{name}-alert", "children", allow_duplicate=True),
-        Input({"form": name, "set": ALL}, "value"),
-        Input({"form": name, "act": ALL}, "n_clicks"),
-        Input("undo", "n_clicks"),
-        State("page", "value"),
-        State(name, "data"),
-        prevent_initial_call=True,
-    )
+    @results.on(dash, name, ".data alert.children", "form:set.value form:act.n_clicks #undo.n_clicks", "#page.value .data")
     def change(_values: Any, _clicks: Any, _undo: Any, page: str, data: Any) -> Any:
         """Edit the text by the input or the button that was used."""
         used, value = ctx.triggered_id, ctx.triggered[0]["value"]
@@ -90,16 +81,7 @@ def register(dash: Dash, name: str, root: Table, first: str, seek: Seek | None =
         by = "" if used.get("set") == TEXT else used.get("set") or used["act"]
         return with_text(data, first, new, by), no_update
 
-    parts = {"form": name, "part": ALL}
-
-    @dash.callback(
-        Output(f"{name}-form", "children"),
-        Output(parts, "children"),
-        Output(f"{name}-drawn", "data"),
-        Input(name, "data"),
-        State(f"{name}-drawn", "data"),
-        State(parts, "id"),
-    )
+    @results.on(dash, name, "form.children form:part.children drawn.data", ".data", "drawn.data form:part.id", first=True)
     def draw(data: Any, drawn: Any, ids: Any) -> Any:
         """Draw the form; after an input only the parts that have other rows, so that the focus stays."""
         by, text = data["by"] if data else "", text_of(data, first)
@@ -119,30 +101,18 @@ def register(dash: Dash, name: str, root: Table, first: str, seek: Seek | None =
         paths = [one["part"] for one in ids]
         return no_update, [found[path][0].children if path in changed - inner else no_update for path in paths], structure
 
-    @dash.callback(
-        Output({"form": name, "error": ALL}, "children"),
-        Input(f"{name}-where", "data"),
-        Input(f"{name}-drawn", "data"),
-        State({"form": name, "error": ALL}, "id"),
-    )
+    @results.on(dash, name, "form:error.children", "where.data drawn.data", "form:error.id", first=True)
     def mark(where: Any, _drawn: Any, ids: Any) -> Any:
         """Show a refusal at its field."""
         path, words = where or (None, "")
         return [words if one["error"] == path else "" for one in ids]
 
-    @dash.callback(
-        Output(f"{name}-file", "data"), Input(f"{name}-save", "n_clicks"), State(name, "data"), prevent_initial_call=True
-    )
+    @results.on(dash, name, "file.data", "save.n_clicks", ".data")
     def save(_clicks: int, data: Any) -> Any:
         """Download the problem file."""
         return results.download("problem.toml", text_of(data, first))
 
-    @dash.callback(
-        Output(name, "data", allow_duplicate=True),
-        Input(f"{name}-open", "contents"),
-        State(name, "data"),
-        prevent_initial_call=True,
-    )
+    @results.on(dash, name, ".data", "open.contents", ".data")
     def open_file(content: str, data: Any) -> Any:
         """Show the text of a problem file."""
         return with_text(data, first, content_of(content).decode("utf-8", "replace"))

@@ -25,36 +25,27 @@ def _drop(_text: str, _kind: type[Warning]) -> None:
     """Results contain their warnings; the terminal shows none."""
 
 
-class Job:
+class Job(threading.Thread):
     """Work in a thread of its own."""
 
     def __init__(self, key: Hashable, what: str, work: Callable[[Progress], Any]) -> None:
-        self.key, self.what = key, what
+        super().__init__(name=what, daemon=True)
+        self.key, self._work, self._stop_soon = key, work, threading.Event()
         self.done: tuple[float, float | None, str] = (0, None, what)
         """parts that are done, all parts if known, and their name"""
         self.result: Any = None
         self.problem: Exception | None = None
         """why there is no result; `CancelledError` if the job was cancelled"""
-        self._work, self._stop = work, threading.Event()
-        self._thread = threading.Thread(target=self._run, name=what, daemon=True)
-
-    @property
-    def is_running(self) -> bool:
-        """Whether the work continues."""
-        return self._thread.is_alive()
 
     def cancel(self) -> None:
         """Let the work end soon."""
-        self._stop.set()
+        self._stop_soon.set()
 
-    def wait(self, seconds: float | None = None) -> None:
-        """Wait for the end of the work."""
-        self._thread.join(seconds)
-
-    def _run(self) -> None:
+    def run(self) -> None:
+        """Do the work."""
         try:
             with reported_to(_drop):
-                self.result = self._work(Progress(self._step, self._stop.is_set))
+                self.result = self._work(Progress(self._step, self._stop_soon.is_set))
         except (Exception, MemoryError) as problem:  # noqa: BLE001 - the page shows it
             self.problem = problem
 
@@ -72,21 +63,18 @@ class Jobs:
 
     def start(self, key: Hashable, what: str, work: Callable[[Progress], Any]) -> Job:
         """Start a job, named `what`; a `BusyError` if another one runs. `find` returns its result by its key."""
-
-        def kept(progress: Progress) -> Any:
-            return self.keep(key, work(progress))
-
         with self._lock:
-            if self.latest is not None and self.latest.is_running:
-                raise BusyError(f"{what}: {self.latest.what} is running. Wait for its end, or cancel it.")
-            self.latest = Job(key, what, kept)
-            self.latest._thread.start()
+            if self.latest is not None and self.latest.is_alive():
+                raise BusyError(f"{what}: {self.latest.name} is running. Wait for its end, or cancel it.")
+            self.latest = Job(key, what, lambda progress: self.keep(key, work(progress)))
+            self.latest.start()
             return self.latest
 
-    def cancel(self) -> None:
-        """Cancel the job that runs."""
+    def cancel(self, wait: bool = False) -> None:
+        """Cancel the job that runs. wait : for its end"""
         if self.latest is not None:
             self.latest.cancel()
+            self.latest.join() if wait else None
 
     def now(self, key: Hashable, work: Callable[[], T]) -> T:
         """Return the result of short work, which is done now unless it is kept."""
@@ -105,15 +93,9 @@ class Jobs:
                 self._results.popitem(last=False)
         return result
 
-    def end(self) -> None:
-        """Cancel the job that runs, and wait for its end."""
-        if self.latest is not None:
-            self.latest.cancel()
-            self.latest.wait()
-
     def forget(self) -> None:
         """End the job that runs, and forget all results."""
-        self.end()
+        self.cancel(wait=True)
         with self._lock:
             self._results.clear()
 

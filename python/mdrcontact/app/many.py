@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from dash import Dash, Input, Output, State, html, no_update
+from dash import Dash, html, no_update
 from dash.exceptions import PreventUpdate
 from dash_ag_grid import AgGrid
 
@@ -39,7 +39,7 @@ def report(run: Mapping[str, Any], found: FittedCurves) -> list[Any]:
 
 def grid(run: Mapping[str, Any], found: FittedCurves) -> Any:
     """Return the table of the curves: those that are not ticked are left out, and a row shows its fit."""
-    titles, *cells = [[with_micro(cell) for cell in row] for row in as_rows(found.tables["curves"])]
+    titles, *cells = [[name, *map(with_micro, row)] for name, *row in as_rows(found.tables["curves"])]
     titles.append("why")
     why = {one.curve.name: "; ".join(one.rating.reasons) for one in found.fitted}
     failed = {
@@ -70,16 +70,7 @@ def out_of(run: Mapping[str, Any]) -> list[str]:
 def register(dash: Dash, session: Session, page: str) -> None:
     """Register the callbacks of the table."""
 
-    @dash.callback(
-        Output(f"{page}-run", "data", allow_duplicate=True),
-        Output(f"{page}-names", "data", allow_duplicate=True),
-        Output(page, "data", allow_duplicate=True),
-        Input(GRID, "selectedRows"),
-        State(GRID, "rowData"),
-        State(f"{page}-run", "data"),
-        State(page, "data"),
-        prevent_initial_call=True,
-    )
+    @results.on(dash, page, "run.data names.data .data", f"#{GRID}.selectedRows", f"#{GRID}.rowData run.data .data")
     def leave_out(ticked: Any, rows: Any, run: Any, data: Any) -> Any:
         """Leave out what is not ticked, and fit again: tests of a file by the text, files by their names."""
         if not isinstance(ticked, list):
@@ -96,9 +87,7 @@ def register(dash: Dash, session: Session, page: str) -> None:
         text = edit.changed(run["text"], _OUT, tests) if tests else edit.without(run["text"], _OUT)
         return {**run, "text": text}, no_update, editor.with_text(data, run["text"], text)
 
-    @dash.callback(
-        Output("many-one", "children"), Input(GRID, "cellClicked"), State(f"{page}-run", "data"), prevent_initial_call=True
-    )
+    @results.on(dash, page, "#many-one.children", f"#{GRID}.cellClicked", "run.data")
     def one(cell: Any, run: Any) -> Any:
         """Show the fit of a row."""
         found = session.jobs.find(editor.key_of(page, run))

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import dash_bootstrap_components as dbc
-from dash import ALL, Dash, Input, Output, State, ctx, dcc, html, no_update
+from dash import Dash, ctx, dcc, html, no_update
 from dash.exceptions import PreventUpdate
 
 from .. import studies
@@ -208,17 +208,7 @@ def register(dash: Dash, session: Session) -> None:
 
     many.register(dash, session, NAME)
 
-    @dash.callback(
-        Output(f"{NAME}-names", "data"),
-        Output(NAME, "data", allow_duplicate=True),
-        Output(f"{NAME}-alert", "children", allow_duplicate=True),
-        Output(f"{NAME}-tab", "value", allow_duplicate=True),
-        Input(f"{NAME}-drop", "contents"),
-        State(f"{NAME}-drop", "filename"),
-        State(f"{NAME}-names", "data"),
-        State(NAME, "data"),
-        prevent_initial_call=True,
-    )
+    @results.on(dash, NAME, "names.data .data alert.children tab.value", "drop.contents", "drop.filename names.data .data")
     def drop(contents: Any, names: Any, old: Any, data: Any) -> Any:
         """Keep the files in the order of their names, and begin with the first one, or with the problem file among them."""
         try:
@@ -231,7 +221,7 @@ def register(dash: Dash, session: Session) -> None:
             return no_update, no_update, str(refusal), no_update
         return {"names": rest, "out": []} if rest else old or known, editor.with_text(data, first, text), "", "Data"
 
-    @dash.callback(Output(f"{NAME}-sought", "children"), Input(NAME, "data"))
+    @results.on(dash, NAME, "sought.children", ".data", first=True)
     def draw(data: Any) -> Any:
         """Draw what is sought, unless a row of it was changed, which shows what the user did."""
         text, by = editor.text_of(data, first), data["by"] if data else ""
@@ -243,35 +233,16 @@ def register(dash: Dash, session: Session) -> None:
         except MDRError:
             return []
 
-    @dash.callback(
-        Output(f"{NAME}-run", "data"),
-        Output(f"{NAME}-tab", "value"),
-        Input(f"{NAME}-start", "n_clicks"),
-        State(NAME, "data"),
-        State(f"{NAME}-names", "data"),
-        State(f"{NAME}-moves", "value"),
-        State(f"{NAME}-compare", "value"),
-        prevent_initial_call=True,
-    )
+    @results.on(dash, NAME, "run.data tab.value", "start.n_clicks", ".data names.data moves.value compare.value")
     def start(clicks: int, data: Any, files: Any, moves: bool, compare: bool) -> Any:
         """Fit the curves of the files."""
         options = {"moves": moves, "compare": compare, "run": clicks}
         return {"text": editor.text_of(data, first), **(files or known), **options}, "Fit"
 
-    @dash.callback(
-        results.outputs(NAME),
-        Input(f"{NAME}-run", "data"),
-        Input(NAME, "data"),
-        Input(f"{NAME}-names", "data"),
-        Input(f"{NAME}-tab", "value"),
-        Input(f"{NAME}-again", "n_intervals"),
-        Input(f"{NAME}-cancel", "n_clicks"),
-    )
+    @results.on(dash, NAME, results.SHOWN, "run.data .data names.data tab.value again.n_intervals cancel.n_clicks", first=True)
     def compute(run: Any, data: Any, files: Any, tab: str, _ticks: Any, _cancel: Any) -> Any:
         """Show what the files have, or what the fit finds."""
         text, files = editor.text_of(data, first), files or known
-        if ctx.triggered_id == f"{NAME}-cancel":
-            session.jobs.cancel()
         if tab == "File":
             return results.show(editor.file_tab(NAME, text, [command_of({**files, "names": files["names"] or ["DATA"]})], []))
         if not files["names"]:
@@ -280,22 +251,21 @@ def register(dash: Dash, session: Session) -> None:
             if tab == "Data":
                 return results.show(_found(inspected(session, files["names"][0])))
         except MDRError as refusal:
-            return results.show_answer(NAME, results.Answer(refusal=refusal), list, "")
+            return results.show_refusal(NAME, refusal)
         if not run:
             return results.show([html.P("Press Fit to find the ticked numbers.", className="note")])
-        start = results.begins(NAME)
-        found = results.answer(session, editor.key_of(NAME, run), "fit", lambda progress: fitted(session, run, progress), start)
-        made = results.show_answer(NAME, found, lambda one: report(run, one), "fit computed")
-        is_old = found.result is not None and (run["text"], run["names"], run["out"]) != (text, files["names"], files["out"])
-        return [made[0], "dimmed" if is_old else made[1], *made[2:]]
+        parts, look, *more = results.show_study(
+            session,
+            NAME,
+            editor.key_of(NAME, run),
+            "fit",
+            lambda progress: fitted(session, run, progress),
+            lambda one: report(run, one),
+        )
+        is_old = (run["text"], run["names"], run["out"]) != (text, files["names"], files["out"])
+        return [parts, "dimmed" if is_old else look, *more]
 
-    @dash.callback(
-        Output(NAME, "data", allow_duplicate=True),
-        Input({"of": NAME, "drag": ALL}, "selectedData"),
-        State({"of": NAME, "drag": ALL}, "figure"),
-        State(NAME, "data"),
-        prevent_initial_call=True,
-    )
+    @results.on(dash, NAME, ".data", "of:drag.selectedData", "of:drag.figure .data")
     def drag(chosen: Any, figures: Any, data: Any) -> Any:
         """Fit the range that was dragged across a curve."""
         for one, figure in zip(chosen, figures, strict=True):
@@ -304,12 +274,7 @@ def register(dash: Dash, session: Session) -> None:
                 return editor.with_text(data, first, ranged(editor.text_of(data, first), axis, one["range"]["x"]))
         raise PreventUpdate
 
-    @dash.callback(
-        Output(f"{NAME}-file", "data", allow_duplicate=True),
-        Input({"of": NAME, "get": ALL}, "n_clicks"),
-        State(f"{NAME}-run", "data"),
-        prevent_initial_call=True,
-    )
+    @results.on(dash, NAME, "file.data", "of:get.n_clicks", "run.data")
     def get(clicks: Any, run: Any) -> Any:
         """Download a file of the fit."""
         found = session.jobs.find(editor.key_of(NAME, run))

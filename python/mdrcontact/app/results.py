@@ -6,10 +6,10 @@ from __future__ import annotations
 import base64
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any, TypeVar
 
 import dash_bootstrap_components as dbc
-from dash import Output, ctx, dcc, html, no_update
+from dash import ALL, Dash, Input, Output, State, ctx, dcc, html, no_update
 
 from .._units import with_micro
 from ..cli.table import as_csv, as_rows
@@ -25,41 +25,34 @@ from .session import Session
 _SOON = 0.4
 """Time in which most work ends, so that the page shows its result immediately [s]."""
 _ROWS, _FEW = 50, 12
+T = TypeVar("T")
 _CONFIG: Any = {"displayModeBar": False, "responsive": True}
 
 
-class Answer(NamedTuple):
-    """What a callback shows."""
+def on(dash: Dash, page: str, outputs: str, inputs: str, states: str = "", first: bool = False) -> Callable[[T], T]:
+    """Return a decorator of callbacks.
 
-    result: Any = None
-    refusal: Exception | None = None
-    progress: tuple[float, float | None, str] | None = None
+    Places are "part.property" of a page, or of every component with an id of two steps, as in "form:set.value"; ".data" is the text
+    of the page, and "#" begins the id of another component.
 
-
-def answer(session: Session, key: Hashable, what: str, work: Callable[[Progress], Any], start: bool = True) -> Answer:
-    """Return the result of a study; if it takes longer than a moment, its progress. Other work is cancelled.
-
-    start : False to ask for work that was begun before, which other work may have cancelled
+    first : whether the callback also runs when the page is drawn
     """
-    found, jobs = session.jobs.find(key), session.jobs
-    if found is not None:
-        return Answer(found)
-    job = jobs.latest if jobs.latest is not None and jobs.latest.key == key else None
-    if start and (job is None or not job.is_running):
-        jobs.end()
-        try:
-            job = jobs.start(key, what, work)
-        except BusyError as refusal:  # a second page was faster
-            return Answer(refusal=refusal)
-    elif job is None:
-        return Answer(refusal=CancelledError(""))
-    job.wait(_SOON)
-    return Answer(progress=job.done) if job.is_running else Answer(job.result, job.problem)
+
+    def places(kind: Any, given: str, **options: bool) -> Any:
+        made = [kind(_id(page, part), key, **options) for part, _, key in (one.rpartition(".") for one in given.split())]
+        return made if len(made) > 1 else made[0]
+
+    out = places(Output, outputs, allow_duplicate=not first)
+    known = [places(State, one) for one in states.split()]
+    given = [places(Input, one) for one in inputs.split()]
+    return dash.callback(out, *given, *known, prevent_initial_call=not first)
 
 
-def begins(name: str) -> bool:
-    """Return whether a callback begins work: not when time has passed or the work is cancelled."""
-    return ctx.triggered_id not in (f"{name}-again", f"{name}-cancel")
+def _id(page: str, part: str) -> Any:
+    kind, _, what = part.partition(":")
+    if what:
+        return {kind: page, what: ALL}
+    return part[1:] if part.startswith("#") else f"{page}-{part}" if part else page
 
 
 def frame(name: str, words: list[str]) -> Any:
@@ -85,11 +78,8 @@ def tabs(name: str, words: list[str], first: str, label: str) -> Any:
     return html.Nav(html.Fieldset([html.Legend(label, className="unseen"), buttons]), className="tabs", **named)
 
 
-def outputs(name: str) -> list[Output]:
-    """Return what `show` returns values for."""
-    ids = {"results": ("children", "className"), "alert": ("children",), "where": ("data",), "said": ("children",)}
-    ids |= {"again": ("disabled",), "busy": ("hidden",), "progress": ("children",)}
-    return [Output(f"{name}-{part}", key) for part, keys in ids.items() for key in keys]
+SHOWN = "results.children results.className alert.children where.data said.children again.disabled busy.hidden progress.children"
+"""Places that `show` returns values for."""
 
 
 def show(parts: Any, said: str = "") -> list[Any]:
@@ -97,14 +87,52 @@ def show(parts: Any, said: str = "") -> list[Any]:
     return [parts, "", "", None, said, True, True, []]
 
 
-def show_answer(name: str, found: Answer, report: Callable[[Any], Any], said: str) -> list[Any]:
-    """Show the result of a study, its progress, or why there is none; old results stay, dimmed, unless the tab is another."""
-    old: Any = [] if ctx.triggered_id == f"{name}-tab" else no_update
-    if found.progress:
-        return [old, "dimmed", "", None, no_update, False, False, progress(found.progress)]
-    if found.refusal is not None:
-        return [old, "dimmed", words_of(found.refusal), place_of(found.refusal), "", True, True, []]
-    return show(report(found.result), said)
+def show_refusal(name: str, refusal: Exception) -> list[Any]:
+    """Show why there is no result; old results stay, dimmed, unless the tab is another."""
+    words = str(refusal) if isinstance(refusal, MDRError) else f"This is a bug of mdrcontact, please report it: {refusal!r}"
+    words = "The work was cancelled." if isinstance(refusal, CancelledError) else words
+    place = None
+    if isinstance(refusal, ProblemError) and refusal.path:
+        place = "/".join(map(str, refusal.path[:-1] if refusal.entry else refusal.path)), refusal.advice
+    return [_old(name), "dimmed", words, place, "", True, True, []]
+
+
+def show_study(
+    session: Session, name: str, key: Hashable, what: str, work: Callable[[Progress], T], report: Callable[[T], Any]
+) -> Any:
+    """Show the result of a study; if it takes longer than a moment, its progress. Other work is cancelled."""
+    jobs = session.jobs
+    if ctx.triggered_id == f"{name}-cancel":
+        jobs.cancel()
+    found = jobs.find(key)
+    if found is None:
+        job = jobs.latest if jobs.latest is not None and jobs.latest.key == key else None
+        # when time has passed other work may have cancelled this one, which does not begin again
+        if ctx.triggered_id not in (f"{name}-again", f"{name}-cancel") and (job is None or not job.is_alive()):
+            jobs.cancel(wait=True)
+            try:
+                job = jobs.start(key, what, work)
+            except BusyError as refusal:  # a second page was faster
+                return show_refusal(name, refusal)
+        if job is None:
+            return show_refusal(name, CancelledError(""))
+        job.join(_SOON)
+        if job.is_alive():
+            return [_old(name), "dimmed", "", None, no_update, False, False, _progress(*job.done)]
+        if job.problem is not None:
+            return show_refusal(name, job.problem)
+        found = job.result
+    return show(report(found), f"{what} computed")
+
+
+def _old(name: str) -> Any:
+    return [] if ctx.triggered_id == f"{name}-tab" else no_update
+
+
+def _progress(done: float, total: float | None, what: str) -> list[Any]:
+    label: dict[str, Any] = {"aria-label": what}
+    bar = html.Progress(value=str(done), max=str(total), **label) if total else html.Progress(**label)
+    return [bar, html.Span(f"{what} {done:g} of {total:g}" if total else what)]
 
 
 def panels(figure: Any, drags: str = "") -> Any:
@@ -181,28 +209,3 @@ def download(name: str, content: bytes | str) -> dict[str, Any]:
     """Return a file for the browser to save."""
     content = content.encode() if isinstance(content, str) else content
     return {"filename": name, "content": base64.b64encode(content).decode(), "base64": True, "type": "application/octet-stream"}
-
-
-def words_of(refusal: Exception) -> str:
-    """Return a refusal as the alert has it."""
-    if isinstance(refusal, CancelledError):
-        return "The work was cancelled."
-    if isinstance(refusal, MDRError):
-        return str(refusal)
-    return f"This is a bug of mdrcontact, please report it: {type(refusal).__name__}: {refusal}"
-
-
-def progress(state: tuple[float, float | None, str]) -> list[Any]:
-    """Return what has been done."""
-    done, total, what = state
-    name: dict[str, Any] = {"aria-label": what}
-    bar = html.Progress(value=str(done), max=str(total), **name) if total else html.Progress(**name)
-    return [bar, html.Span(f"{what} {done:g} of {total:g}" if total else what)]
-
-
-def place_of(refusal: Exception) -> tuple[str, str] | None:
-    """Return the path of the field that a refusal is about, and its words; None if it is about no field."""
-    if not isinstance(refusal, ProblemError) or not refusal.path:
-        return None
-    path = refusal.path[:-1] if refusal.entry else refusal.path
-    return "/".join(map(str, path)), refusal.advice

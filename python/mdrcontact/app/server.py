@@ -62,7 +62,7 @@ def make_dash() -> Dash:
 
 
 def guard(dash: Dash, session: Session) -> None:
-    """Let the page answer only requests from this machine that have the secret of the session."""
+    """Let the page answer only requests from this machine that have the secret, and name dropped files without their folder."""
     flask: Flask = dash.server
     flask.config.update(TRUSTED_HOSTS=[*_NAMES], MAX_CONTENT_LENGTH=_LARGEST)
     policy = _POLICY.format(scripts=" ".join(dash.csp_hashes()))
@@ -90,6 +90,8 @@ def guard(dash: Dash, session: Session) -> None:
     def close(answer: Response) -> Response:
         answer.headers.update(_HEADERS)
         answer.headers["Content-Security-Policy"] = policy
+        if answer.mimetype == "application/json":
+            answer.set_data(session.shortened(answer.get_data(as_text=True)))
         return answer
 
     # a script that no package has
