@@ -21,7 +21,7 @@ from conftest import PUBLIC, ROOT
 
 import mdrcontact as mdr
 
-MODULES = [*PUBLIC, *map(importlib.import_module, ("mdrcontact.studies", "mdrcontact.progress", "mdrcontact.panels.figure"))]
+MODULES = [*PUBLIC, *map(importlib.import_module, ("mdrcontact.studies", "mdrcontact.progress", "mdrcontact.panels.panel"))]
 SECTION = re.compile(r"^(\w[\w ]*)\n-{3,}\n", re.MULTILINE)
 ENTRY = re.compile(r"^\*{0,2}(\w+(?:, \*{0,2}\w+)*)(?: : .+)?$", re.MULTILINE)
 KEY = re.compile(r'<a id="([\w-]+)"></a>')

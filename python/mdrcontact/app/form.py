@@ -287,21 +287,18 @@ class _Form(NamedTuple):
 
     def part(self, path: Path, table: Table, values: Values) -> Any:
         """Return the rows of a table: what is given or needed, then the rest behind a fold."""
-        names = [one.name for one in fields_of(table, values)]
         rows: list[Any] = []
         more: list[Any] = []
+        fields, hidden = fields_of(table, values), set[str]()
+        known = {one.name: spelled(one, table, values)[1] for one in fields}
         for group in (*table.one_of, *table.at_most_one_of):
-            here = [key for key in group if key in names]
-            given = [key for key in here if spelled(table.field(key), table, values)[1] is not None]
-            if len(here) > 1 and given:
-                names = [key for key in names if key not in here or key in given]
-            elif len(here) > 1 and group in table.one_of:
-                names = [key for key in names if key not in here[1:]]
-        for one in fields_of(table, values):
-            if one.name not in names or _chooses(one.name, table):
+            here = [key for key in group if key in known]
+            given = [key for key in here if known[key] is not None]
+            hidden |= {*here} - {*(given or here[: 1 if group in table.one_of else None])}
+        for one in fields:
+            if one.name in hidden or _chooses(one.name, table):
                 continue
-            _, value = spelled(one, table, values)
-            own = (*path, one.name)
+            own, value = (*path, one.name), known[one.name]
             if one.table is not None:
                 rows += self.nested(one, own, value)
                 continue

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from .matplotlib import colour
-from .panel import Array, Axis, Band, Bars, Cells, Label, Line, Panel, Part, Rule, Sheet, limits, side_of
+from .panel import Array, Axis, Band, Bars, Cells, Figure, Label, Line, Panel, Part, Rule, limits, side_of
 
 _DASHES = ("solid", "dash", "dot")
 _MARKERS = {"o": "circle", "s": "square", "^": "triangle-up", "x": "x"}
@@ -31,11 +31,11 @@ _DECADES = 300.0
 """A logarithmic axis from which on powers of ten are enough."""
 
 
-def draw(figure: Sheet) -> list[Any]:
+def draw(figure: Figure) -> list[Any]:
     """Draw the panels of a figure; a `plotly.graph_objects.Figure` for each."""
-    from plotly.graph_objects import Figure
+    from plotly import graph_objects
 
-    return [Figure(_panel(panel)) for panel in figure.panels]
+    return [graph_objects.Figure(_panel(panel)) for panel in figure.panels]
 
 
 def _panel(panel: Panel) -> dict[str, Any]:
