@@ -422,5 +422,8 @@ MUTATIONS = [
      "^c_plastic_law$"),
     ("extensions/plastic/law/compile.f90", "state%radius*state%uniform]", "state%uniform]", "test_plastic_law.py"),
     ("extensions/plastic/law/compile.f90", "panel(3::width) = factor**2*", "panel(3::width) = factor*", "test_plastic_law.py"),
+    ("extensions/conduction/inside.f90", "if (depths(j)%layer /= layer) call find_amplitudes",
+     "if (layer == 0) call find_amplitudes", "test_conduction.py"),
+    ("extensions/conduction/inside.f90", "hat(first:last), parts", "hat, parts", "test_conduction.py"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""

@@ -207,6 +207,20 @@ def test_potentials_are_continuous_within_and_across_layers():
         assert spot.flux_inside(r, z)[0] == pytest.approx(-(2.0 if z < 1.0 else 0.5) * slope, rel=1e-4)
 
 
+def test_fields_on_a_grid_are_bitwise_those_of_single_points():
+    """A grid takes its Bessel functions and exponentials once for each radius and depth, and waves by blocks."""
+    stack = LayeredConductor([(Conductor(2.0), 0.02), mdr.Interface(0.7), (Conductor(1.0, 3.0), 0.9)], PERFECT)
+    spot = Conduction(stack).at_radius(1.0)
+    r, z = np.linspace(0.0, 2.5, 40), np.append(np.linspace(0.0, 0.92, 39), 0.02)
+    # waves follow the largest radius of a call
+    for side in ("above", "below"):
+        grid = np.array([spot.potential(r[None, :], z[:, None], side=side), *spot.flux_inside(r[None, :], z[:, None], side=side)])
+        for i, j in ((0, 0), (1, 7), (39, 20), (38, 0), (38, 31), (20, 39)):
+            at, depth = np.array([r[j], r[-1]]), np.array([z[i], 0.0])
+            single = np.array([spot.potential(at, depth, side=side), *spot.flux_inside(at, depth, side=side)])
+            assert (grid[:, i, j] == single[:, 0]).all()
+
+
 def test_both_bodies_share_the_potential():
     spot, r = PAIR.at_radius(1.0), np.array([0.0, 0.3, 0.6, 0.95])
     total = spot.potential(r, 0.0) + spot.potential(r, 0.0, body="upper")

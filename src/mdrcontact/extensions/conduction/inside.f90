@@ -3,10 +3,12 @@
 !> the closed ones of a half-space of the surface material, and as an integral over wavenumbers what the layers below it add
 !> (theory/conduction.md (7.1)-(7.5)).
 module mdrcontact_conduction_inside
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_conduction_conductors, only: conductors_t, half_space_base, insulating_base, layer_at, perfect_base
     use mdrcontact_conduction_oblate, only: oblate_sum
-    use mdrcontact_error, only: check_not_negative, error_domain, error_invalid, error_t, raise, raise_at, to_text
+    use mdrcontact_error, only: check_memory, check_not_negative, error_domain, error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: gsl_sf_bessel_j0, gsl_sf_bessel_j1
+    use mdrcontact_inside_lattice, only: distinct
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_numerics_even_waves, only: even_waves
     use mdrcontact_numerics_waves, only: wave_rule
@@ -18,10 +20,21 @@ module mdrcontact_conduction_inside
     real(wp), parameter :: faded = 40.0_wp
     !> Octaves of wavenumbers below the scales of the body and of the points.
     integer, parameter :: octaves = 44
+    !> Points taken together, numbers in their tables of waves, and the fewest waves that are tabulated together.
+    integer, parameter :: most_points = 65536, most_numbers = 1000000, fewest_waves = 16
+
+    !> Where a depth is.
+    type :: depth_t
+        integer :: layer = 0
+        !> scaled, from the top of the layer
+        real(wp) :: distance = 0.0_wp
+        !> at the perfect conductor below the layers: the bottom of the last layer instead
+        logical :: in_base = .false.
+    end type depth_t
 
 contains
 
-    !> Potential, j_z and j_r at points.
+    !> Potential, j_z and j_r at points; a grid of few distinct r and z costs far less than as many scattered points.
     subroutine fields_inside(body, a, q, r, z, lower, potential, flux_z, flux_r, error)
         type(conductors_t), intent(in) :: body
         !> [length]
@@ -35,40 +48,76 @@ contains
         !> same size as r
         real(wp), intent(out) :: potential(:), flux_z(:), flux_r(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: k(:), hat(:), amplitude(:, :)
-        real(wp) :: distance
-        integer :: i, layer, made
-        logical :: in_base
+        real(wp), allocatable :: k(:), hat(:)
+        integer :: first, last
 
         call check_points(body, r, z, error)
         if (allocated(error)) return
         call find_waves(body, a, q, maxval(r), k, hat, error)
+        do first = 1, size(r), most_points
+            if (allocated(error)) return
+            last = min(first + most_points - 1, size(r))
+            call add_block(body, a, q, k, hat, r(first:last), z(first:last), lower, potential(first:last), flux_z(first:last), &
+                           flux_r(first:last), error)
+        end do
+    end subroutine fields_inside
+
+    !> The same for at most `most_points` points.
+    subroutine add_block(body, a, q, k, hat, r, z, lower, potential, flux_z, flux_r, error)
+        type(conductors_t), intent(in) :: body
+        real(wp), intent(in) :: a, q(:), k(:), hat(:), r(:), z(:)
+        logical, intent(in) :: lower
+        real(wp), intent(out) :: potential(:), flux_z(:), flux_r(:)
+        type(error_t), allocatable, intent(inout) :: error
+        type(depth_t), allocatable :: depths(:)
+        integer, allocatable :: first_r(:), first_z(:)
+        integer :: row(size(r)), column(size(r)), i
+
+        potential = 0.0_wp
+        flux_z = 0.0_wp
+        flux_r = 0.0_wp
+        call distinct(r, first_r, row, error)
+        call distinct(z, first_z, column, error)
+        if (.not. allocated(error)) call find_depths(body, z, first_z, lower, depths, error)
         if (allocated(error)) return
-        allocate (amplitude(size(k), 2))
-        made = 0
         do i = 1, size(r)
-            call layer_at(body, z(i), lower .and. z(i) > 0.0_wp, layer, distance)
-            potential(i) = 0.0_wp
-            flux_z(i) = 0.0_wp
-            flux_r(i) = 0.0_wp
-            in_base = layer > size(body%s)
-            if (in_base) then
-                layer = body%layers
-                distance = body%h(layer)
-            end if
-            if (layer == 1) call add_half_space(body, a, q, r(i), distance, potential(i), flux_z(i), flux_r(i))
-            if (size(k) == 0) cycle
-            if (layer /= made) then
-                call find_amplitudes(body, layer, k, hat, amplitude)
-                made = layer
-            end if
-            call add_waves(body, layer, r(i), distance, k, amplitude, potential(i), flux_z(i), flux_r(i))
-            if (.not. in_base) cycle
+            associate (depth => depths(column(i)))
+                if (depth%layer /= 1) cycle
+                call add_half_space(body, a, q, r(i), depth%distance, potential(i), flux_z(i), flux_r(i))
+            end associate
+        end do
+        call add_waves(body, k, hat, depths, r, first_r, row, column, potential, flux_z, flux_r, error)
+        if (allocated(error)) return
+        do i = 1, size(r)
+            if (.not. depths(column(i))%in_base) cycle
             ! a perfect conductor has the potential 0, takes the flux across its surface, and gives no information on that along it
             potential(i) = 0.0_wp
             flux_r(i) = 0.0_wp
         end do
-    end subroutine fields_inside
+    end subroutine add_block
+
+    subroutine find_depths(body, z, first, lower, depths, error)
+        type(conductors_t), intent(in) :: body
+        real(wp), intent(in) :: z(:)
+        integer, intent(in) :: first(:)
+        logical, intent(in) :: lower
+        type(depth_t), allocatable, intent(out) :: depths(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i, stat
+
+        allocate (depths(size(first)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        do i = 1, size(first)
+            associate (depth => depths(i), here => z(first(i)))
+                call layer_at(body, here, lower .and. here > 0.0_wp, depth%layer, depth%distance)
+                depth%in_base = depth%layer > size(body%s)
+                if (.not. depth%in_base) cycle
+                depth%layer = body%layers
+                depth%distance = body%h(depth%layer)
+            end associate
+        end do
+    end subroutine find_depths
 
     !> Wavenumbers, none where there are no layers, and j_hat times their weights.
     subroutine find_waves(body, a, q, farthest, k, hat, error)
@@ -164,25 +213,87 @@ contains
         end do
     end subroutine find_amplitudes
 
-    subroutine add_waves(body, layer, r, z, k, amplitude, potential, flux_z, flux_r)
+    !> What the layers add. Waves depend on radius and depth by factors, so that each is computed once for all points that share it.
+    subroutine add_waves(body, k, hat, depths, r, first_r, row, column, potential, flux_z, flux_r, error)
         type(conductors_t), intent(in) :: body
-        integer, intent(in) :: layer
-        real(wp), intent(in) :: r, z, k(:), amplitude(:, :)
-        real(wp), intent(inout) :: potential, flux_z, flux_r
-        real(wp) :: down, up, j0, s, height
-        integer :: i
+        real(wp), intent(in) :: k(:), hat(:)
+        type(depth_t), intent(in) :: depths(:)
+        real(wp), intent(in) :: r(:)
+        !> the distinct radii, and of each point its radius and its depth among the distinct ones
+        integer, intent(in) :: first_r(:), row(:), column(:)
+        real(wp), intent(inout) :: potential(:), flux_z(:), flux_r(:)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: j0(:, :), j1(:, :), parts(:, :, :)
+        integer :: first, last, waves, i, stat
 
-        s = body%s(layer)
-        height = 0.0_wp
-        if (layer <= body%layers) height = body%h(layer) - z
-        do i = 1, size(k)
-            down = amplitude(i, 1)*exp(-k(i)*z)
-            up = amplitude(i, 2)*exp(-k(i)*height)
-            j0 = gsl_sf_bessel_j0(k(i)*r)
-            potential = potential + (down + up)*j0
-            flux_z = flux_z + s*k(i)*(down - up)*j0
-            flux_r = flux_r + s*body%stretch(layer)*k(i)*(down + up)*gsl_sf_bessel_j1(k(i)*r)
+        if (size(k) == 0) return
+        waves = min(size(k), max(fewest_waves, most_numbers/(2*size(first_r) + 3*size(depths))))
+        allocate (j0(waves, size(first_r)), j1(waves, size(first_r)), parts(waves, 3, size(depths)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        do first = 1, size(k), waves
+            call check_cancelled(error)
+            if (allocated(error)) return
+            last = min(first + waves - 1, size(k))
+            do i = 1, size(first_r)
+                call fill_bessel(k(first:last), r(first_r(i)), j0(:, i), j1(:, i))
+            end do
+            call fill_parts(body, depths, k(first:last), hat(first:last), parts)
+            do i = 1, size(r)
+                call add_products(last - first + 1, parts(:, :, column(i)), j0(:, row(i)), j1(:, row(i)), potential(i), flux_z(i), &
+                                  flux_r(i))
+            end do
         end do
     end subroutine add_waves
+
+    subroutine fill_bessel(k, r, j0, j1)
+        real(wp), intent(in) :: k(:), r
+        real(wp), intent(inout) :: j0(:), j1(:)
+        integer :: i
+
+        do i = 1, size(k)
+            j0(i) = gsl_sf_bessel_j0(k(i)*r)
+            j1(i) = gsl_sf_bessel_j1(k(i)*r)
+        end do
+    end subroutine fill_bessel
+
+    !> Factors of the potential, j_z and j_r at depths in ascending order.
+    subroutine fill_parts(body, depths, k, hat, parts)
+        type(conductors_t), intent(in) :: body
+        type(depth_t), intent(in) :: depths(:)
+        real(wp), intent(in) :: k(:), hat(:)
+        real(wp), intent(inout) :: parts(:, :, :)
+        real(wp) :: amplitude(size(k), 2), down, up, s, height
+        integer :: i, j, layer
+
+        layer = 0
+        do j = 1, size(depths)
+            if (depths(j)%layer /= layer) call find_amplitudes(body, depths(j)%layer, k, hat, amplitude)
+            layer = depths(j)%layer
+            s = body%s(layer)
+            height = 0.0_wp
+            if (layer <= body%layers) height = body%h(layer) - depths(j)%distance
+            ! exp of four numbers together has other last digits
+            !GCC$ novector
+            do i = 1, size(k)
+                down = amplitude(i, 1)*exp(-k(i)*depths(j)%distance)
+                up = amplitude(i, 2)*exp(-k(i)*height)
+                parts(i, :, j) = [down + up, s*k(i)*(down - up), s*body%stretch(layer)*k(i)*(down + up)]
+            end do
+        end do
+    end subroutine fill_parts
+
+    pure subroutine add_products(waves, parts, j0, j1, potential, flux_z, flux_r)
+        integer, intent(in) :: waves
+        real(wp), intent(in), contiguous :: parts(:, :), j0(:), j1(:)
+        real(wp), intent(inout) :: potential, flux_z, flux_r
+        integer :: i
+
+        do i = 1, waves
+            potential = potential + parts(i, 1)*j0(i)
+            flux_z = flux_z + parts(i, 2)*j0(i)
+            flux_r = flux_r + parts(i, 3)*j1(i)
+        end do
+    end subroutine add_products
 
 end module mdrcontact_conduction_inside

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a person waits for, against an earlier build: CPU seconds, their ratio, and how much the results differ.
+
+    tools/speed.sh keep build/before                        # before a change
+    python benchmarks/waits.py build/before [ROW ...]       # after it; rows whose names contain one of the words
+
+Each side runs in processes of its own, in turn; the least of some rounds counts. Imports do not count, unless a row is a command.
+Numbers are compared relative to the largest of their array; "none" is bitwise identical.
+"""
+
+import argparse
+import contextlib
+import io
+import os
+import pickle
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[1]
+PROBLEMS = ROOT / "examples" / "problems"
+Numbers = dict[str, Any]
+ROWS: dict[str, Callable[[], Numbers]] = {}
+
+
+def row(name: str) -> Callable[[Callable[[], Numbers]], Callable[[], Numbers]]:
+    """Enters a measurement: a function of which the time between its call and its return counts."""
+
+    def enter(work: Callable[[], Numbers]) -> Callable[[], Numbers]:
+        ROWS[name] = work
+        return work
+
+    return enter
+
+
+def command(*words: str) -> Numbers:
+    """Runs a command in this process, as its entry point does; its output as bytes."""
+    from mdrcontact.cli import main
+
+    shown = io.StringIO()
+    with contextlib.redirect_stdout(shown):
+        assert main(list(words)) in (0, None)
+    return {"output": shown.getvalue()}
+
+
+def section_of(name: str) -> Numbers:
+    from mdrcontact import problem, studies
+
+    found = studies.conduction(problem.load(PROBLEMS / f"{name}.toml"), section=True)
+    assert found.section is not None
+    return {"section": found.section.values, "conductance": found.conductance.conductance}
+
+
+@row("section of temperatures: steel on DLC")
+def _dlc() -> Numbers:
+    return section_of("dlc_flash_temperature")
+
+
+@row("section of temperatures: heat through silica")
+def _silica() -> Numbers:
+    return section_of("heat_through_silica")
+
+
+@row("section of potentials: TiN on copper")
+def _tin() -> Numbers:
+    return section_of("tin_on_copper")
+
+
+def run_one(name: str, path: str) -> None:
+    """Runs a row here; CPU seconds of this process and of its children in a file, with the numbers."""
+
+    def spent() -> float:
+        mine, children = resource.getrusage(resource.RUSAGE_SELF), resource.getrusage(resource.RUSAGE_CHILDREN)
+        return mine.ru_utime + mine.ru_stime + children.ru_utime + children.ru_stime
+
+    # not what is measured
+    import mdrcontact.instruments
+    import mdrcontact.problem
+    import mdrcontact.studies  # noqa: F401
+
+    before, clock = spent(), time.perf_counter()
+    found = ROWS[name]()
+    result = spent() - before, time.perf_counter() - clock, found
+    Path(path).write_bytes(pickle.dumps(result))
+
+
+def measure(name: str, packages: str) -> tuple[float, float, Numbers]:
+    """CPU and wall seconds of a row with the package in a folder, and its numbers."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = str(Path(folder) / "result")
+        environment = {**os.environ, "PYTHONPATH": packages}
+        subprocess.run([sys.executable, "-P", __file__, "--one", name, path], env=environment, check=True)
+        cpu, wall, found = pickle.loads(Path(path).read_bytes())
+    return cpu, wall, found
+
+
+def difference(old: Numbers, new: Numbers) -> str:
+    """The largest relative difference of two results."""
+    largest = 0.0
+    for name, before in old.items():
+        after = new[name]
+        if isinstance(before, (str, bytes)):
+            if before != after:
+                return f"{name} differs"
+            continue
+        a, b = np.asarray(before, float), np.asarray(after, float)
+        if a.shape != b.shape:
+            return f"{name}: shapes {a.shape} and {b.shape}"
+        if a.tobytes() == b.tobytes():
+            continue
+        largest = max(largest, float(np.nanmax(np.abs(a - b)) / np.nanmax(np.abs(a))))
+    return f"{largest:.0e}" if largest > 0.0 else "none"
+
+
+def main() -> None:
+    """Prints a table of the rows."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("before", help="folder with the earlier package, as tools/speed.sh keep makes it")
+    parser.add_argument("words", nargs="*", help="parts of the names of rows; without them all")
+    parser.add_argument("--rounds", type=int, default=3, help="measurements of each side (default: 3)")
+    arguments = parser.parse_args()
+    present = str(ROOT / "python")
+    print("| what | CPU seconds before | now | ratio | difference of the results |\n|---|---|---|---|---|")
+    for name in ROWS:
+        if arguments.words and not any(word in name for word in arguments.words):
+            continue
+        old, new = [], []
+        for _ in range(arguments.rounds):
+            old.append(measure(name, arguments.before))
+            new.append(measure(name, present))
+        least = [min(cpu for cpu, _, _ in side) for side in (old, new)]
+        differs = difference(old[0][2], new[0][2])
+        print(f"| {name} | {least[0]:.3g} | {least[1]:.3g} | {least[1] / least[0]:.3f} | {differs} |", flush=True)
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] == ["--one"]:
+        run_one(*sys.argv[2:])
+    else:
+        main()
