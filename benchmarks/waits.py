@@ -73,6 +73,21 @@ def _tin() -> Numbers:
     return section_of("tin_on_copper")
 
 
+def fit_of(name: str, **options: Any) -> Numbers:
+    from mdrcontact import instruments, studies
+
+    path = ROOT / "examples" / "fit" / f"{name}.csv"
+    problem = instruments.load_fit_file(path.with_suffix(".toml"))
+    found = studies.fit(problem, problem.read_data(path)[0], **options)
+    ends = found.intervals or {"none": (0.0, 0.0)}
+    return {"estimates": list(found.fit.values.values()), "intervals": [*ends.values()]}
+
+
+@row("fit: Monte Carlo intervals of four parameters")
+def _monte_carlo() -> Numbers:
+    return fit_of("gel_in_time", interval="monte-carlo")
+
+
 def run_one(name: str, path: str) -> None:
     """Runs a row here; CPU seconds of this process and of its children in a file, with the numbers."""
 

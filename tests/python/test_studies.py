@@ -19,6 +19,7 @@ import pytest
 from conftest import ROOT
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact import problem, studies
 from mdrcontact.cli import COMMANDS, main
 from mdrcontact.cli import many as cli_many
@@ -179,6 +180,22 @@ def test_a_fit_is_what_its_command_writes(file, options, tmp_path, monkeypatch, 
     assert (found.analysis is not None) == ("hardness [GPa]" in printed)
     values = {name: entry["value"] for name, entry in kept["parameters"].items()}
     assert {name: found.numbers[name].value for name in values} == values
+
+
+def test_simulated_intervals_come_from_one_simulation(monkeypatch):
+    """Those of each parameter alone, with its seed, are bitwise the same."""
+    table = 'shape = "paraboloid"\nradius = "10 um"\n[medium]\ntype = "homogeneous"\nmaterial = { E = "50 GPa", nu = 0.17 }'
+    problem = mdi.fit_file_of_text(f'[indenter]\n{table}\n[data]\nkind = "force-depth"\n[fit]\nfree = ["E", "depth_offset"]')
+    depth = np.linspace(10e-9, 100e-9, 12)
+    force = mdr.Contact(mdr.Paraboloid(1e-5), mdr.Homogeneous(mdr.Elastic(72e9, 0.17))).at_depth(depth).force
+    data = mdi.ForceDepth(depth, force + 1e-6 * np.random.default_rng(2).standard_normal(12))
+    calls, simulate = [], mdi.FitResult.simulate
+    monkeypatch.setattr(mdi.FitResult, "simulate", lambda *given: calls.append(given) or simulate(*given))
+    found = studies.fit(problem, data, interval="monte-carlo")
+    assert [given[1:] for given in calls] == [(200, 0)]
+    assert found.intervals == {name: found.fit.interval(name, method="monte-carlo", seed=0) for name in ("E", "depth_offset")}
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="level = 1.0"):
+        found.fit.simulated_intervals(1.0)
 
 
 def test_what_is_refused_after_a_fit_leaves_the_fit(tmp_path, capfd):

@@ -201,8 +201,11 @@ def _intervals(found: FitResult, method: str, progress: Progress) -> dict[str, I
     """Intervals that do not follow from the standard errors."""
     if method == "normal":
         return {}
+    if method == "monte-carlo":
+        progress.step(0, 1, "intervals")
+        return found.simulated_intervals(seed=0)
     names = in_turn(progress, found.names, len(found.names), "intervals")
-    return {name: found.interval(name, method=method, seed=0) for name in names}
+    return {name: found.interval(name, method=method) for name in names}
 
 
 def _ranges(moves: Moves | None) -> dict[str, list[Column]]:

@@ -53,6 +53,13 @@ _ROUNDING = 1e-8
 """Accuracy of the model, relative to the largest reading."""
 
 
+def _checked_level(level: float) -> float:
+    level = number("level", level)
+    if not 0.0 < level < 1.0:
+        raise InvalidArgumentError(f"level = {level!r}: it must be between 0 and 1")
+    return level
+
+
 class Interval(NamedTuple):
     """Confidence interval; an end is infinite if the data do not limit it."""
 
@@ -223,9 +230,7 @@ class FitResult:
         """
         if name not in self.names:
             raise InvalidArgumentError(f"{name!r} is not a free parameter: {nearest(str(name), self.names)}")
-        level = number("level", level)
-        if not 0.0 < level < 1.0:
-            raise InvalidArgumentError(f"level = {level!r}: it must be between 0 and 1")
+        level = _checked_level(level)
         if method == "normal":
             # the widening of a standard error allows for correlated residuals: their number counts once
             reach = call(native.fit_quantile, level, math.inf if self.noise_is_known else self.degrees_of_freedom)
@@ -237,11 +242,40 @@ class FitResult:
             lower, upper = problem.call(native.fit_interval, place, level)
             return Interval(float(lower), float(upper))
         if method == "monte-carlo":
-            values = self.simulate(draws, seed)[:, self.names.index(name)]
-            lower, upper = np.quantile(values, [0.5 * (1.0 - level), 0.5 * (1.0 + level)])
-            return Interval(float(lower), float(upper))
+            return self.simulated_intervals(level, draws=draws, seed=seed)[name]
         known = ("normal", "profile", "monte-carlo")
         raise InvalidArgumentError(f"method = {method!r}: {nearest(str(method), known)}")
+
+    def simulated_intervals(self, level: float = 0.95, *, draws: int = 200, seed: int | None = None) -> dict[str, Interval]:
+        """Return the intervals of all free parameters from one simulation.
+
+        They equal `interval` with method "monte-carlo" and the same seed, which repeats the simulation for each parameter.
+
+        Parameters
+        ----------
+        level : float, optional
+            Level, 0 < level < 1 [1].
+        draws : int, optional
+            Number of simulated data sets, >= 2.
+        seed : int, optional
+            Seed of their random numbers.
+
+        Returns
+        -------
+        dict of str to Interval
+            Lower and upper end, in the unit of the parameter, by its name.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The level is outside its range.
+        MDRError
+            Fewer than 90 % of the data sets can be fitted.
+        """
+        level = _checked_level(level)
+        ends = [0.5 * (1.0 - level), 0.5 * (1.0 + level)]
+        found = self.simulate(draws, seed)
+        return {name: Interval(*map(float, np.quantile(found[:, i], ends))) for i, name in enumerate(self.names)}
 
     def simulate(self, draws: int = 200, seed: int | None = None) -> Array:
         """Return estimates from simulated data: the fitted curve plus noise.
