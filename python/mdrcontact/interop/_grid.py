@@ -127,7 +127,7 @@ class Response:
     def pixels(self, axes: Sequence[Array], size: Sequence[float]) -> Array:
         """Displacement by unit pressure on one pixel, at the distances along both axes from its centre."""
         if self.omega:
-            raise InvalidArgumentError(f"omega = {self.omega}: a single contact is known on the relaxed body. Set omega=0")
+            raise InvalidArgumentError(f"omega = {self.omega}: one contact is known on the relaxed body. Set omega=0")
         return on_grid(axes, lambda x, y: self.body.rectangle_response(x, y, tuple(size)))
 
 

@@ -213,10 +213,13 @@ class FreeLayeredSubstrate(_FirstGuess, _engine.FreeFFTElasticHalfSpace):  # typ
             fftengine=fftengine,
         )
 
-    def _compute_greens_function(self) -> Array:
+    def _pixels(self) -> Array:
+        """Displacement by unit pressure on one pixel, on the part of the doubled grid that belongs to this process."""
         rows = zip(self.nb_domain_grid_pts, self.subdomain_locations, self.nb_subdomain_grid_pts, self._steps, strict=True)
-        axes = [step * folded(n, first, m) for n, first, m, step in rows]
-        self.real_buffer.p[...] = self._response.pixels(axes, self._steps)
+        return self._response.pixels([step * folded(n, first, m) for n, first, m, step in rows], self._steps)
+
+    def _compute_greens_function(self) -> Array:
+        self.real_buffer.p[...] = self._pixels()
         self.fftengine.fft(self.real_buffer, self.fourier_buffer)
         transform: Array = self.fourier_buffer.p.copy()
         return transform

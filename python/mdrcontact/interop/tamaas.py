@@ -88,7 +88,8 @@ def layered_operator(
         points, sizes = _grid_of(model, kinds.basic_2d)
         steps = [size / n for size, n in zip(sizes, points, strict=True)]
         axes = [step * folded(2 * n, 0, 2 * n) for step, n in zip(steps, points, strict=True)]
-        kernel = np.fft.rfft2(response.pixels(axes, steps))
+        # tamaas divides what this operator gives by its modulus
+        kernel = model.E_star * np.fft.rfft2(response.pixels(axes, steps))
         _engine.ModelFactory.registerNonPeriodic(model, name)
     model.operators[name]["influence"][...] = kernel
     return model.operators[name]
