@@ -66,13 +66,13 @@ class Response:
 
     def compliance(self, k: Any, load: str = "normal") -> Array:
         """C at wavenumbers, which must be real to machine precision."""
-        values = self.body.compliance(k, load, self.omega or 0.0, self.drainage)
-        if np.any(np.abs(np.imag(values)) > 1e-12 * np.abs(values)):
+        values = np.asarray(self.body.compliance(k, load, self.omega or 0.0, self.drainage))
+        if np.any(np.abs(values.imag) > 1e-12 * np.abs(values.real)):
             raise InvalidArgumentError(
                 f"omega = {self.omega}: the compliance is complex, and the solvers of the engine minimize an energy. "
                 "Set omega=0 for the relaxed body, or use an elastic body with the moduli of this frequency"
             )
-        return np.real(values)
+        return np.asarray(values.real, dtype=np.float64)
 
     def modulus(self, points: Sequence[int], sizes: Sequence[float]) -> float:
         """2/(k C) of the shortest wave of a grid, E* in estimates of the engine."""
@@ -128,7 +128,8 @@ class Response:
         """Displacement by unit pressure on one pixel, at the distances along both axes from its centre."""
         if self.omega:
             raise InvalidArgumentError(f"omega = {self.omega}: one contact is known on the relaxed body. Set omega=0")
-        return on_grid(axes, lambda x, y: self.body.rectangle_response(x, y, tuple(size)))
+        width, height = size
+        return on_grid(axes, lambda x, y: np.asarray(self.body.rectangle_response(x, y, (width, height))))
 
 
 def folded(points: int, first: int, count: int) -> Array:
@@ -141,7 +142,8 @@ def on_grid(axes: Sequence[Array], function: Callable[..., Array]) -> Array:
     """Values on a grid of a function of distances along its one or two axes, computed once for equal distances."""
     values, places = zip(*(np.unique(axis, return_inverse=True) for axis in axes), strict=True)
     if len(axes) == 1:
-        return function(*values)[places[0]]
+        row: Array = function(*values)[places[0]]
+        return row
     x, y = values
     if np.array_equal(x, y):
         i, j = np.tril_indices(x.size)
@@ -149,7 +151,8 @@ def on_grid(axes: Sequence[Array], function: Callable[..., Array]) -> Array:
         table[i, j] = table[j, i] = function(x[i], x[j])
     else:
         table = function(*map(np.ravel, np.meshgrid(x, y, indexing="ij"))).reshape(x.size, y.size)
-    return table[np.ix_(*places)]
+    grid: Array = table[np.ix_(*places)]
+    return grid
 
 
 def lattice_constant(sizes: Sequence[float]) -> float:

@@ -15,6 +15,8 @@ from ._grid import Array, Response, engine, folded, grid_of
 __all__ = ["FreeLayeredSubstrate", "LayeredSubstrate"]
 
 _engine = engine("ContactMechanics", __name__)
+_Periodic: Any = _engine.PeriodicFFTElasticHalfSpace
+_Free: Any = _engine.FreeFFTElasticHalfSpace
 
 
 class _FirstGuess:
@@ -60,7 +62,7 @@ class _FirstGuess:
         return forces * (square / float(substrate.pnp.sum(overlap * substrate.evaluate_disp(forces)[inside])))
 
     def check(self, force: Any = None) -> None:
-        """Raise if the solver has not left its first guess, or for what the engine checks.
+        """Raise if a solution is the first guess or leaves a free domain.
 
         Parameters
         ----------
@@ -82,7 +84,7 @@ class _FirstGuess:
         super().check(force)  # type: ignore[misc]
 
 
-class LayeredSubstrate(_FirstGuess, _engine.PeriodicFFTElasticHalfSpace):  # type: ignore[misc]
+class LayeredSubstrate(_FirstGuess, _Periodic):  # type: ignore[misc]
     """Substrate of a periodic cell, or of line contacts, of a layered body.
 
     Parameters
@@ -145,7 +147,7 @@ class LayeredSubstrate(_FirstGuess, _engine.PeriodicFFTElasticHalfSpace):  # typ
         return self._response.waves([2.0 * np.pi / size * folded(n, first, m) for n, first, m, size in rows], self._mean)
 
 
-class FreeLayeredSubstrate(_FirstGuess, _engine.FreeFFTElasticHalfSpace):  # type: ignore[misc]
+class FreeLayeredSubstrate(_FirstGuess, _Free):  # type: ignore[misc]
     """Substrate of one contact without neighbours on a layered body.
 
     Parameters

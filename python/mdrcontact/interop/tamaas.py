@@ -131,6 +131,8 @@ def set_layered(
     >>> film = mdr.Layered([(mdr.Elastic(1e9, 0.3), 3e-4)], mdr.RIGID)
     >>> model = tamaas.Model(tamaas.model_type.surface_2d, [4e-3, 4e-3], [64, 64])
     >>> set_layered(model, film)
+    >>> print(model.operators["Westergaard::neumann"]["influence"].shape)
+    (64, 33, 9)
     """
     kinds = _engine.model_type
     points, sizes = _grid_of(model, kinds.surface_1d, kinds.surface_2d)
