@@ -10,7 +10,7 @@ module mdrcontact
     use mdrcontact_parameter, only: nature_fraction, nature_not_negative, nature_poisson, nature_positive, nature_signed, &
                                          nature_term, parameter_t
     use mdrcontact_body, only: body_t
-    use mdrcontact_body_compliance, only: compliance_t, normal_load, shear_load, twist_load
+    use mdrcontact_body_compliance, only: compliance_t, coupling_load, normal_load, shear_load, twist_load
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_body_elements_interface, only: bond_t

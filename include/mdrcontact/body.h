@@ -171,36 +171,41 @@ int mdr_body_wrinkling(const mdr_body *body, int layer, double *stress, double *
 
 /** Loads of a surface. */
 enum mdr_load_kind {
-    MDR_LOAD_NORMAL = 901, /**< Pressure. */
-    MDR_LOAD_SHEAR = 902,  /**< Unidirectional traction along the surface, averaged over the directions of the wave. */
-    MDR_LOAD_TWIST = 903   /**< Traction along the surface, normal to the wave vector; a traction around an axis consists of such
-                                waves. */
+    MDR_LOAD_NORMAL = 901,  /**< Pressure. */
+    MDR_LOAD_SHEAR = 902,   /**< Unidirectional traction along the surface, averaged over the directions of the wave. */
+    MDR_LOAD_TWIST = 903,   /**< Traction along the surface, normal to the wave vector; a traction around an axis consists of such
+                                 waves. */
+    MDR_LOAD_COUPLING = 904 /**< Normal displacement per traction along the wave vector, -i C, and displacement along the wave vector
+                                 per pressure, i C, of waves exp(i k x); both positive into the body and along x. */
 };
 
 /** Compute C(k), the surface displacement per traction of a wave of load with wavenumber k; of two bodies in contact C is the sum.
- *  It is 2/(E* k), (2 - nu)/(2 G k) and 1/(G k) on a homogeneous body for the three loads. For a traction parallel to the wave
- *  vector it is twice that of MDR_LOAD_SHEAR minus that of MDR_LOAD_TWIST. With C(k), contact codes based on Fourier transforms can
- *  treat layered bodies.
- *  @param body       body that is neither rigid nor power-law graded
- *  @param load       one of enum mdr_load_kind; only MDR_LOAD_NORMAL if the surface is not bare
- *  @param omega      angular frequency >= 0 for a viscoelastic body, 0: relaxed; ignored for an elastic one [1/time]
+ *  It is 2/(E* k), (2 - nu)/(2 G k), 1/(G k) and (1 - 2 nu)/(2 G k) on a homogeneous body for the four loads. For a traction parallel
+ *  to the wave vector it is twice that of MDR_LOAD_SHEAR minus that of MDR_LOAD_TWIST. With C(k), contact codes based on Fourier
+ *  transforms can treat layered bodies. In arrays of 2000 and more wavenumbers, C of graded bodies and of more than four layers is
+ *  interpolated in a table with an error of 1e-11, which is checked between its nodes.
+ *  @param body       body that is not rigid
+ *  @param load       one of enum mdr_load_kind; only MDR_LOAD_NORMAL if the surface is not bare or the body is power-law graded
  *  @param n          number of wavenumbers
  *  @param k          [n] > 0; 0 also if the base is rigid, where C is finite [1/length]
+ *  @param omega      [n] angular frequencies for a viscoelastic body, 0: relaxed, or NULL: all 0; C(-omega) is the complex conjugate
+ *                    of C(omega), of waves exp(i omega t); ignored for an elastic one [1/time]
  *  @param out        [n] real parts [length/modulus]
- *  @param imaginary  [n] or NULL: imaginary parts, <= 0; 0 for elastic bodies
- *  @return also MDR_EINVALID for other bodies, MDR_EDOMAIN if C is infinite, as for a fluid at omega = 0
+ *  @param imaginary  [n] or NULL: imaginary parts, <= 0 for omega > 0, except for MDR_LOAD_COUPLING; 0 for elastic bodies
+ *  @return also MDR_EINVALID for rigid bodies, MDR_EDOMAIN if C is infinite, as for a fluid at omega = 0
  *  @code
  *  const double k[2] = {1e5, 1e8};
  *  double C[2];
- *  status = mdr_body_compliance(film, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL);
+ *  status = mdr_body_compliance(film, MDR_LOAD_NORMAL, 2, k, NULL, C, NULL);
  *  @endcode
  */
-int mdr_body_compliance(const mdr_body *body, int load, double omega, int n, const double k[], double out[], double imaginary[]);
+int mdr_body_compliance(const mdr_body *body, int load, int n, const double k[], const double omega[], double out[],
+                        double imaginary[]);
 
 /** Compute the limits of the compliance under a pressure: k C/2 of very short and of very long waves, and what the layers add to the
  *  half-space of the base.
  *  @param body         body that is neither rigid nor power-law graded
- *  @param omega        as of mdr_body_compliance() [1/time]
+ *  @param omega        angular frequency for a viscoelastic body, 0: relaxed; ignored for an elastic one [1/time]
  *  @param out          [3] 1/E0* of the surface, 0 under a surface with tension or a plate [1/modulus]; 1/E* of the base, 0 if it is
  *                      rigid [1/modulus]; C - 2/(E* k) with this E* at k = 0, which is C itself if the base is rigid
  *                      [length/modulus]

@@ -116,19 +116,20 @@ int mdr_conduction_field(const mdr_conduction *p, int field, double radius, int 
 /** Compute C(k), the potential of the surface per flux of a wave with wavenumber k: 1/(sqrt(sigma along) k) of a half-space in the
  *  steady state; of two bodies the sum, without the film. Compare mdr_body_compliance().
  *  @param p          conduction
- *  @param omega      angular frequency >= 0, 0: steady [1/time]
  *  @param n          number of wavenumbers
  *  @param k          [n] > 0 [1/length]
+ *  @param omega      [n] angular frequencies, 0: steady, or NULL: all 0; C(-omega) is the complex conjugate of C(omega) [1/time]
  *  @param out        [n] real parts [length/conductance]
- *  @param imaginary  [n] or NULL: imaginary parts, <= 0
+ *  @param imaginary  [n] or NULL: imaginary parts, <= 0 for omega > 0
  *  @return also MDR_EINVALID
  *  @code
  *  const double k[2] = {1e5, 1e7};
  *  double C[2];
- *  status = mdr_conduction_compliance(conduction, 0.0, 2, k, C, NULL);
+ *  status = mdr_conduction_compliance(conduction, 2, k, NULL, C, NULL);
  *  @endcode
  */
-int mdr_conduction_compliance(const mdr_conduction *p, double omega, int n, const double k[], double out[], double imaginary[]);
+int mdr_conduction_compliance(const mdr_conduction *p, int n, const double k[], const double omega[], double out[],
+                              double imaginary[]);
 
 /** Compute the complex response to exp(i omega t).
  *  @param p         conduction

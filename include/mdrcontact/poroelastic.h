@@ -133,20 +133,20 @@ int mdr_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, do
  *  @param thickness      > 0 of a film on an impermeable rigid base; 0: half-space [length]
  *  @param shear_modulus  G > 0 [modulus]
  *  @param diffusivity    D > 0 [length^2/time]
- *  @param omega          angular frequency >= 0; 0: drained [1/time]
  *  @param n              number of wavenumbers
  *  @param k              [n] > 0 [1/length]
+ *  @param omega          [n] angular frequencies, 0: drained, or NULL: all 0; C(-omega) is the complex conjugate of C(omega) [1/time]
  *  @param out            [n] real parts [length/modulus]
- *  @param imaginary      [n] or NULL: imaginary parts, <= 0
+ *  @param imaginary      [n] or NULL: imaginary parts, <= 0 for omega > 0
  *  @return also MDR_EINVALID
  *  @code
- *  const double k = 1e5;
+ *  const double k = 1e5, omega = 0.1;
  *  double C;
- *  status = mdr_poroelastic_compliance(0.3, MDR_DRAINAGE_SURFACE, 0.0, 10e3, 1e-10, 0.1, 1, &k, &C, NULL);
+ *  status = mdr_poroelastic_compliance(0.3, MDR_DRAINAGE_SURFACE, 0.0, 10e3, 1e-10, 1, &k, &omega, &C, NULL);
  *  @endcode
  */
-int mdr_poroelastic_compliance(double nu, int drainage, double thickness, double shear_modulus, double diffusivity, double omega,
-                               int n, const double k[], double out[], double imaginary[]);
+int mdr_poroelastic_compliance(double nu, int drainage, double thickness, double shear_modulus, double diffusivity, int n,
+                               const double k[], const double omega[], double out[], double imaginary[]);
 
 #ifdef __cplusplus
 }

@@ -163,6 +163,13 @@ def complex_values(name: str, values: ArrayLike, function: Callable[[NDArray[np.
     return both
 
 
+def of_waves(k: ArrayLike, omega: ArrayLike, function: Callable[..., Any]) -> ComplexOrArray:
+    """`complex_values` of a function of wavenumbers and angular frequencies, which broadcast."""
+    waves, frequencies = together(k=k, omega=omega)
+    rates = numbers("omega", frequencies).ravel()
+    return complex_values("k", waves, lambda q: function(q, rates if rates.size else q))
+
+
 class Record(np.ndarray):
     """An array of structures of the header, which holds what its members point to."""
 

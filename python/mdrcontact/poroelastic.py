@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _layout
-from ._boundary import ComplexOrArray, FloatOrArray, Handle, call, complex_values, evaluate, native, number, one_path, words_of
+from ._boundary import ComplexOrArray, FloatOrArray, Handle, call, complex_values, evaluate, native, number, of_waves, one_path, words_of
 from ._choices import code
 from ._parameters import WithParameters
 from ._units import DIFFUSIVITY, MODULUS, RATIO
@@ -232,11 +232,11 @@ def dynamic_stiffness(contact: Any, omega: ArrayLike, radius: float | None, drai
     return complex_values("omega", omega, lambda w: native.poroelastic_dynamic_stiffness(handle, modulus, diffusivity, a, w))
 
 
-def compliance(medium: Any, k: ArrayLike, omega: float, drainage: str | None) -> ComplexOrArray:
+def compliance(medium: Any, k: ArrayLike, omega: ArrayLike, drainage: str | None) -> ComplexOrArray:
     """See `Medium.compliance`."""
-    gel, code, frequency = gel_of(medium), drainage_code(drainage), number("omega", omega)
-    constants = gel.nu, code, getattr(medium, "thickness", 0.0), gel.shear_modulus, gel.diffusivity, frequency
-    return complex_values("k", k, lambda q: native.poroelastic_compliance(*constants, q))
+    gel, code = gel_of(medium), drainage_code(drainage)
+    constants = gel.nu, code, getattr(medium, "thickness", 0.0), gel.shear_modulus, gel.diffusivity
+    return of_waves(k, omega, lambda *waves: native.poroelastic_compliance(*constants, *waves))
 
 
 def pressure(

@@ -142,7 +142,7 @@ static void test_of_contact(void)
 static void test_refusals(void)
 {
     const mdr_conductor bad = {1.0, -1.0, 1.0, 0.0, 0.0}, layer = {1.0, 1.0, 1.0, 1.0, 0.0};
-    const double one[2] = {1.0, -1.0};
+    const double one[2] = {1.0, -1.0}, infinite[1] = {INFINITY};
     double out[2] = {7.0, 7.0}, more[2] = {7.0, 7.0};
     mdr_conduction *p = NULL;
     mdr_material *other = NULL;
@@ -164,10 +164,10 @@ static void test_refusals(void)
     CHECK_SUCCESS(mdr_conduction_new(1, &layer, MDR_BASE_INSULATING, 0, NULL, 0, 0.0, 0.0, &p));
     CHECK_STATUS(mdr_conduction_spot(p, 1, one, out, more), MDR_EINVALID, "sink");
     CHECK_STATUS(mdr_conduction_admittance(p, MDR_CONDUCTANCE, 1.0, 2, one, out, more), MDR_EINVALID, "entry 2 of omega");
-    CHECK_STATUS(mdr_conduction_compliance(p, -1.0, 1, one, out, more), MDR_EINVALID, "omega");
-    CHECK_STATUS(mdr_conduction_compliance(p, 0.0, 1, NULL, out, more), MDR_ENULL, "k");
-    CHECK_STATUS(mdr_conduction_compliance(NULL, 0.0, 1, one, out, more), MDR_ENULL, "p");
-    CHECK_SUCCESS(mdr_conduction_compliance(p, 0.0, 0, NULL, NULL, NULL));
+    CHECK_STATUS(mdr_conduction_compliance(p, 1, one, infinite, out, more), MDR_EINVALID, "omega");
+    CHECK_STATUS(mdr_conduction_compliance(p, 1, NULL, NULL, out, more), MDR_ENULL, "k");
+    CHECK_STATUS(mdr_conduction_compliance(NULL, 1, one, NULL, out, more), MDR_ENULL, "p");
+    CHECK_SUCCESS(mdr_conduction_compliance(p, 0, NULL, NULL, NULL, NULL));
     CHECK_STATUS(mdr_conduction_admittance(p, 6, 1.0, 1, one, out, more), MDR_EINVALID, "answer = 6");
     CHECK_STATUS(mdr_conduction_admittance(p, MDR_CONDUCTANCE, 1e4, 1, one, out, more), MDR_EDOMAIN, "omega");
     CHECK_STATUS(mdr_conduction_admittance(p, MDR_CONDUCTANCE, 1.0, 1, one, NULL, more), MDR_ENULL, "in_phase");

@@ -257,8 +257,8 @@ static void rim_of_a_sphere(void)
 /* What a surface answers to waves: short ones see the film, long ones the substrate; refusals write nothing. */
 static void compliances(void)
 {
-    const double k[2] = {1e-9, 1e9}, bad[2] = {1.0, 0.0};
-    double C[2], imaginary[2];
+    const double k[2] = {1e-9, 1e9}, bad[2] = {1.0, 0.0}, infinite[2] = {0.0, INFINITY};
+    double C[2], imaginary[2], limits[3];
     const mdr_layer film = mdr_isotropic(2.6, 0.3, 0.1), base = mdr_isotropic(26.0, 0.3, 0.0);
     mdr_surface tension = MDR_SIZED(mdr_surface);
     mdr_body *body = NULL, *rigid = NULL, *power = NULL, *tense = NULL;
@@ -273,28 +273,41 @@ static void compliances(void)
     for (int load = MDR_LOAD_NORMAL; load <= MDR_LOAD_TWIST; load++) {
         const double factor = load == MDR_LOAD_NORMAL ? 0.7 : load == MDR_LOAD_SHEAR ? 0.85 : 1.0;
 
-        CHECK_SUCCESS(mdr_body_compliance(body, load, 0.0, 2, k, C, imaginary));
+        CHECK_SUCCESS(mdr_body_compliance(body, load, 2, k, NULL, C, imaginary));
         CHECK_CLOSE(C[0], 0.1 * factor / k[0], 1e-6);
         CHECK_CLOSE(C[1], factor / k[1], 1e-15);
         CHECK_TRUE(imaginary[0] == 0.0 && imaginary[1] == 0.0);
     }
+    CHECK_SUCCESS(mdr_body_compliance(body, MDR_LOAD_COUPLING, 2, k, NULL, C, imaginary));
+    CHECK_CLOSE(C[0], 0.1 * 0.2 / k[0], 1e-6);
+    CHECK_CLOSE(C[1], 0.2 / k[1], 1e-14);
+    CHECK_SUCCESS(mdr_body_compliance_limits(body, 0.0, limits, NULL));
+    CHECK_CLOSE(limits[0], 0.35, 1e-14);
+    CHECK_CLOSE(limits[1], 0.035, 1e-14);
+    CHECK_SUCCESS(mdr_body_compliance(power, MDR_LOAD_NORMAL, 2, k, NULL, C, NULL));
+    CHECK_CLOSE(C[0] / C[1], pow(k[0] / k[1], -0.8), 1e-12);
+    CHECK_STATUS(mdr_body_compliance_limits(power, 0.0, limits, NULL), MDR_EINVALID, "power-law graded");
+    CHECK_STATUS(mdr_body_compliance_limits(body, INFINITY, limits, NULL), MDR_EINVALID, "omega");
+    CHECK_STATUS(mdr_body_compliance_limits(NULL, 0.0, limits, NULL), MDR_ENULL, "body is NULL");
+    CHECK_STATUS(mdr_body_compliance_limits(body, 0.0, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_CLOSE(limits[0], 0.35, 1e-14);
     fill_untouched(2, C);
-    CHECK_STATUS(mdr_body_compliance(NULL, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_ENULL, "body is NULL");
-    CHECK_STATUS(mdr_body_compliance(body, 4, 0.0, 2, k, C, NULL), MDR_EINVALID, "load = 4");
-    CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, NAN, 2, k, C, NULL), MDR_EINVALID, "omega");
-    CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 0.0, -1, k, C, NULL), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 0.0, 2, bad, C, NULL), MDR_EINVALID, "entry 2 of k");
-    CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 0.0, 2, NULL, C, NULL), MDR_ENULL, "k is NULL");
-    CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 0.0, 2, k, NULL, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_body_compliance((const mdr_body *)medium, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID,
+    CHECK_STATUS(mdr_body_compliance(NULL, MDR_LOAD_NORMAL, 2, k, NULL, C, NULL), MDR_ENULL, "body is NULL");
+    CHECK_STATUS(mdr_body_compliance(body, 4, 2, k, NULL, C, NULL), MDR_EINVALID, "load = 4");
+    CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 2, k, infinite, C, NULL), MDR_EINVALID, "omega");
+    CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, -1, k, NULL, C, NULL), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 2, bad, NULL, C, NULL), MDR_EINVALID, "entry 2 of k");
+    CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 2, NULL, NULL, C, NULL), MDR_ENULL, "k is NULL");
+    CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 2, k, NULL, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_body_compliance((const mdr_body *)medium, MDR_LOAD_NORMAL, 2, k, NULL, C, NULL), MDR_EINVALID,
                  "not a handle of type mdr_body");
-    CHECK_STATUS(mdr_body_compliance(rigid, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID, "rigid");
-    CHECK_STATUS(mdr_body_compliance(power, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID, "power-law graded");
-    CHECK_STATUS(mdr_body_compliance(tense, MDR_LOAD_SHEAR, 0.0, 2, k, C, NULL), MDR_EINVALID, "for a pressure only");
+    CHECK_STATUS(mdr_body_compliance(rigid, MDR_LOAD_NORMAL, 2, k, NULL, C, NULL), MDR_EINVALID, "rigid");
+    CHECK_STATUS(mdr_body_compliance(power, MDR_LOAD_SHEAR, 2, k, NULL, C, NULL), MDR_EINVALID, "power-law graded");
+    CHECK_STATUS(mdr_body_compliance(tense, MDR_LOAD_SHEAR, 2, k, NULL, C, NULL), MDR_EINVALID, "for a pressure only");
     CHECK_UNTOUCHED(2, C);
-    CHECK_SUCCESS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 0.0, 0, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 0, NULL, NULL, NULL, NULL));
     /* 1/C + tension k^2 in place of 1/C: short waves see nothing but the tension */
-    CHECK_SUCCESS(mdr_body_compliance(tense, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL));
+    CHECK_SUCCESS(mdr_body_compliance(tense, MDR_LOAD_NORMAL, 2, k, NULL, C, NULL));
     CHECK_CLOSE(C[1], 1.0 / (3.0 * k[1] * k[1]), 1e-8);
     CHECK_FREE(tense);
     CHECK_FREE(power);
@@ -303,10 +316,58 @@ static void compliances(void)
     CHECK_FREE(medium);
 }
 
+/* The surface in space: far from a force it is that of the base, 1/(pi E* r), and close to it that of the film. */
+static void responses(void)
+{
+    const double r[2] = {1e-9, 1e9}, none[2] = {1.0, 0.0}, y[2] = {0.0, 0.0}, bad[2] = {0.0, NAN};
+    const mdr_layer film = mdr_isotropic(2.6, 0.3, 0.1), base = mdr_isotropic(26.0, 0.3, 0.0);
+    const double pi = acos(-1.0);
+    double u[2], error, tiny = 1e-9;
+    int images;
+    mdr_body *body = NULL, *rigid = NULL;
+    mdr_response *response = NULL, *missed = NULL;
+
+    CHECK_SUCCESS(mdr_body_layered(1, &film, &base, NULL, &body));
+    CHECK_SUCCESS(mdr_body_rigid(&rigid));
+    CHECK_SUCCESS(mdr_response_new(body, 1e-8, &response));
+    CHECK_SUCCESS(mdr_response_about(response, &error, &images));
+    CHECK_TRUE(error > 0.0 && error < 1e-8 && images == 60);
+    CHECK_SUCCESS(mdr_response_point(response, 2, r, u));
+    CHECK_CLOSE(u[0], 0.35 / (pi * r[0]), 1e-6);
+    CHECK_CLOSE(u[1], 0.035 / (pi * r[1]), 1e-10);
+    /* a square of side s displaces its centre by 4 s ln(1 + sqrt(2))/(pi E*) */
+    CHECK_SUCCESS(mdr_response_rectangle(response, tiny, tiny, 2, y, y, u));
+    CHECK_CLOSE(u[0], 4.0 * tiny * asinh(1.0) * 0.35 / pi, 1e-6);
+    CHECK_TRUE(u[1] == u[0]);
+    fill_untouched(2, u);
+    CHECK_STATUS(mdr_response_new(rigid, 1e-8, &missed), MDR_EINVALID, "rigid");
+    CHECK_STATUS(mdr_response_new(body, 0.0, &missed), MDR_EINVALID, "tolerance = 0");
+    CHECK_STATUS(mdr_response_new(body, 1e-15, &missed), MDR_ENOCONVERGENCE, "240 images");
+    CHECK_STATUS(mdr_response_new(NULL, 1e-8, &missed), MDR_ENULL, "body is NULL");
+    CHECK_STATUS(mdr_response_new(body, 1e-8, NULL), MDR_ENULL, "out is NULL");
+    CHECK_TRUE(missed == NULL);
+    CHECK_STATUS(mdr_response_point(response, 2, none, u), MDR_EINVALID, "entry 2 of r");
+    CHECK_STATUS(mdr_response_point(NULL, 2, r, u), MDR_ENULL, "response is NULL");
+    CHECK_STATUS(mdr_response_point(response, -1, r, u), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_response_rectangle(response, 0.0, 1.0, 2, y, y, u), MDR_EINVALID, "width = 0");
+    CHECK_STATUS(mdr_response_rectangle(response, 1.0, NAN, 2, y, y, u), MDR_EINVALID, "height");
+    CHECK_STATUS(mdr_response_rectangle(response, 1.0, 1.0, 2, y, bad, u), MDR_EINVALID, "entry 2 of y");
+    CHECK_STATUS(mdr_response_rectangle(response, 1.0, 1.0, 2, NULL, y, u), MDR_ENULL, "x is NULL");
+    CHECK_STATUS(mdr_response_about(response, NULL, &images), MDR_ENULL, "tolerance is NULL");
+    CHECK_STATUS(mdr_response_about((const mdr_response *)body, &error, NULL), MDR_EINVALID, "not a handle of type mdr_response");
+    CHECK_UNTOUCHED(2, u);
+    CHECK_SUCCESS(mdr_response_point(response, 0, NULL, NULL));
+    CHECK_SUCCESS(mdr_response_rectangle(response, 1.0, 1.0, 0, NULL, NULL, NULL));
+    CHECK_FREE(response);
+    CHECK_FREE(rigid);
+    CHECK_FREE(body);
+}
+
 int main(void)
 {
     refusals();
     compliances();
+    responses();
     rim_of_a_sphere();
     graded_bodies();
     one_material();

@@ -132,19 +132,21 @@ static void test_history_refusals(const mdr_poroelastic *gel)
 
 static void test_compliance(void)
 {
-    const double k = 0.3;
-    double out = 0.0, more = 0.0;
+    const double k = 0.3, fast = 1e20, slow[2] = {0.2, -0.2}, waves[2] = {0.3, 0.3};
+    double out = 0.0, more = 0.0, both[2], ahead[2];
 
+    CHECK_SUCCESS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SEALED, 0.0, 2.0, 1.0, 2, waves, slow, both, ahead));
+    CHECK_TRUE(ahead[0] < 0.0 && ahead[1] == -ahead[0] && both[0] == both[1]);
     /* drained, (1 - nu)/(G k), and at once 1/(2 G k) */
-    CHECK_SUCCESS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SEALED, 0.0, 2.0, 1.0, 0.0, 1, &k, &out, &more));
+    CHECK_SUCCESS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SEALED, 0.0, 2.0, 1.0, 1, &k, NULL, &out, &more));
     CHECK_CLOSE(out, 0.4 / k, 1e-12);
-    CHECK_SUCCESS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SURFACE, 0.0, 2.0, 1.0, 1e20, 1, &k, &out, NULL));
+    CHECK_SUCCESS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SURFACE, 0.0, 2.0, 1.0, 1, &k, &fast, &out, NULL));
     CHECK_CLOSE(out, 0.25 / k, 1e-8);
-    CHECK_STATUS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_INDENTER, 0.0, 2.0, 1.0, 0.0, 1, &k, &out, &more), MDR_EINVALID,
+    CHECK_STATUS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_INDENTER, 0.0, 2.0, 1.0, 1, &k, NULL, &out, &more), MDR_EINVALID,
                  "drainage = 3");
-    CHECK_STATUS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SURFACE, -1.0, 2.0, 1.0, 0.0, 1, &k, &out, &more), MDR_EINVALID,
+    CHECK_STATUS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SURFACE, -1.0, 2.0, 1.0, 1, &k, NULL, &out, &more), MDR_EINVALID,
                  "thickness");
-    CHECK_STATUS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SURFACE, 0.0, 2.0, 1.0, 0.0, 1, NULL, &out, &more), MDR_ENULL, "k");
+    CHECK_STATUS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SURFACE, 0.0, 2.0, 1.0, 1, NULL, NULL, &out, &more), MDR_ENULL, "k");
 }
 
 static void test_pressure(const mdr_poroelastic *gel)

@@ -5,13 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _layout
-from .._boundary import ComplexOrArray, FloatOrArray, Handle, complex_values, native, number
+from .._boundary import ComplexOrArray, FloatOrArray, Handle, native, number, of_waves
 from .._value import Named, Value
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Conductor, check_rows
@@ -159,8 +160,7 @@ def conduction_of(body: Any, other: Any = None, film: float = 0.0, sink: float =
     return Handle(native.conduction_new(lower, lower_base, count, upper, upper_base, film, sink))
 
 
-def flux_compliance(conduction: Handle, k: ArrayLike, omega: float) -> FloatOrArray | ComplexOrArray:
+def flux_compliance(conduction: Handle, k: ArrayLike, omega: ArrayLike) -> FloatOrArray | ComplexOrArray:
     """See `Conduction.compliance`."""
-    frequency = number("omega", omega)
-    both = complex_values("k", k, lambda q: native.conduction_compliance(conduction, frequency, q))
-    return both if frequency else both.real
+    both = of_waves(k, omega, partial(native.conduction_compliance, conduction))
+    return both if np.any(omega) else both.real

@@ -295,7 +295,7 @@ class Conduction(Value):
         given = numbers("radius", radius) if np.ndim(radius) else number("radius", radius)
         return Spot(self, given, conductance, slope)
 
-    def compliance(self, k: ArrayLike, omega: float = 0.0) -> FloatOrArray | ComplexOrArray:
+    def compliance(self, k: ArrayLike, omega: ArrayLike = 0.0) -> FloatOrArray | ComplexOrArray:
         """Return the compliance C(k), potential per flux of a wave on the surface.
 
         Codes that solve conduction by Fourier transforms use it to include layers. It is the sum over both bodies, without the
@@ -305,18 +305,19 @@ class Conduction(Value):
         ----------
         k : array_like
             Wavenumbers > 0, any shape [1/length].
-        omega : float, optional
-            Angular frequency >= 0 [1/time]; 0 is the steady state.
+        omega : array_like, optional
+            Angular frequencies of either sign, in a shape that broadcasts with `k` [1/time]; 0 is the steady state.
 
         Returns
         -------
         float, complex or ndarray
-            C, in the shape of `k` [length/conductance]; complex for omega > 0.
+            C, in the shape of `k` and `omega` [length/conductance]; complex unless all frequencies are 0. C(-omega) is the complex
+            conjugate of C(omega).
 
         Raises
         ------
         InvalidArgumentError
-            A wavenumber is not greater than 0, or the frequency is negative.
+            A wavenumber is not greater than 0, or a frequency is not finite.
         """
         return flux_compliance(self._handle, k, omega)
 

@@ -9,7 +9,7 @@ from functools import lru_cache, partial
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from .. import _layout
 from .._boundary import (
@@ -17,11 +17,11 @@ from .._boundary import (
     FloatOrArray,
     Handle,
     call,
-    complex_values,
     evaluate,
     native,
     number,
     numbers,
+    of_waves,
     together,
     words_of,
 )
@@ -34,7 +34,8 @@ from .viscoelastic import is_viscoelastic
 
 Self = TypeVar("Self", bound="Medium")
 
-_LOADS = words_of(_layout.LOAD_NORMAL, _layout.LOAD_SHEAR, _layout.LOAD_TWIST)
+_LOADS_OF_MATRIX = ("normal", "coupling", "shear", "twist")
+_LOADS = words_of(_layout.LOAD_NORMAL, _layout.LOAD_SHEAR, _layout.LOAD_TWIST, _layout.LOAD_COUPLING)
 
 
 class ComplianceLimits(NamedTuple):
@@ -90,6 +91,10 @@ class Medium(WithParameters):
         if self._body is None:
             raise InvalidArgumentError("this medium has only an effective modulus. Use one with E and nu of its layers")
         return [self._body]
+
+    def _signs(self) -> list[float]:
+        """Signs of a traction on each of these bodies."""
+        return [1.0]
 
     def _given(self) -> dict[str, Any]:
         """Without a surface that adds nothing."""
@@ -192,7 +197,7 @@ class Medium(WithParameters):
         return evaluate("a", a, lambda radii: native.medium_values(self._handle, _layout.TANGENTIAL_MODULUS, radii))
 
     def compliance(
-        self, k: ArrayLike, load: str = "normal", omega: float = 0.0, drainage: str | None = None
+        self, k: ArrayLike, load: str = "normal", omega: ArrayLike = 0.0, drainage: str | None = None
     ) -> FloatOrArray | ComplexOrArray:
         """Return the surface compliance C(k) at wavenumbers k.
 
@@ -203,29 +208,39 @@ class Medium(WithParameters):
         ----------
         k : array_like
             Wavenumbers > 0, any shape; 0 also on a rigid base, where C is finite [1/length].
-        load : {"normal", "shear", "twist", "flux"}, optional
+        load : {"normal", "shear", "twist", "coupling", "flux"}, optional
             "normal": a pressure, 2/(E* k) on a homogeneous body. "shear": a traction of one direction along the surface, averaged
-            over the directions of the wave, (2 - nu)/(2 G k). "twist": a traction across the wave, 1/(G k). "flux": a current or
-            heat flux, potential over flux, of materials with a conductor.
-        omega : float, optional
-            Angular frequency of a viscoelastic or poroelastic medium, 0 for the relaxed one [1/time].
+            over the directions of the wave, (2 - nu)/(2 G k). "twist": a traction across the wave, 1/(G k). "coupling": normal
+            displacement by a traction along the wave, (1 - 2 nu)/(2 G k). "flux": a current or heat flux, potential over flux, of
+            materials with a conductor.
+        omega : array_like, optional
+            Angular frequencies of a viscoelastic or poroelastic medium, of either sign, 0 for the relaxed one [1/time]. Their shape
+            broadcasts with that of `k`.
         drainage : {"surface", "sealed"}, optional
             Of a poroelastic medium, which has no default.
 
         Returns
         -------
         float, complex or ndarray
-            C, in the shape of `k` [length/modulus]; [length/conductance] for "flux". It is complex for relaxing media.
+            C, in the shape of `k` and `omega` [length/modulus]; [length/conductance] for "flux". It is complex for relaxing media.
 
         Raises
         ------
         InvalidArgumentError
-            The medium is given by its modulus alone, is graded by a power law or is rigid, or an argument is outside its range.
+            The medium is given by its modulus alone or is rigid, the load is not available for it, or an argument is outside its
+            range. Only "normal" is available for power-law graded bodies, gels, and surfaces with tension or a sheet.
 
         Notes
         -----
         C(k) belongs to the bodies and does not depend on the model by which the medium solves contacts. Under a traction along the
-        wave it is twice that of "shear" minus that of "twist".
+        wave it is twice that of "shear" minus that of "twist". Waves vary as exp(i k x), loads and displacements along x and into
+        the body are positive, and time enters as exp(i omega t), so that C(-omega) is the complex conjugate of C(omega). A traction
+        along the wave displaces the surface into the body by -i C, with the C of "coupling", and a pressure displaces it along the
+        wave by i C. `compliance_matrix` contains these factors. The coupling of a pair is that of the lower body minus that of the
+        upper one, because the tractions on them differ in sign.
+
+        In arrays of 2000 and more wavenumbers, C of graded bodies and of more than four layers is interpolated in a table. Its
+        relative error is 1e-11, checked between the nodes.
         """
         if load == "flux":
             from ..conduction.bodies import conduction_of, flux_compliance
@@ -240,11 +255,48 @@ class Medium(WithParameters):
             return gel_compliance(self, k, omega, drainage)
         if drainage is not None:
             raise InvalidArgumentError(f"drainage = {drainage!r}: this medium has no pores")
+        signs = self._signs() if load == "coupling" else np.ones(len(self._bodies()))
         both = sum(
-            complex_values("k", k, partial(native.body_compliance, body, _LOADS[load], number("omega", omega)))
-            for body in self._bodies()
+            sign * of_waves(k, omega, partial(native.body_compliance, body, _LOADS[load]))
+            for sign, body in zip(signs, self._bodies(), strict=True)
         )
         return both if self._relaxes() else both.real
+
+    def compliance_matrix(self, k: ArrayLike, omega: ArrayLike = 0.0) -> NDArray[np.complex128]:
+        """Return the compliance matrix of pressures and tractions along the wave.
+
+        Parameters
+        ----------
+        k : array_like
+            As of `compliance`.
+        omega : array_like, optional
+            As of `compliance` for a viscoelastic medium.
+
+        Returns
+        -------
+        ndarray
+            Displacements into the body and along the wave (second last axis) per pressure and per traction along the wave (last
+            axis), in the shape of `k` and `omega` with two more axes of length 2 [length/modulus].
+
+        Raises
+        ------
+        InvalidArgumentError
+            As of `compliance` for "coupling".
+
+        Notes
+        -----
+        With C of "coupling", the off-diagonal terms are -i C and i C, of waves exp(i k x). The matrix of an elastic medium is
+        Hermitian. A traction across the wave only displaces the surface along itself, by C of "twist".
+
+        Examples
+        --------
+        >>> print(np.round(mdr.Homogeneous(mdr.Elastic(2.6, 0.3)).compliance_matrix(1.0), 3))
+        [[0.7+0.j  0. -0.2j]
+         [0. +0.2j 0.7+0.j ]]
+        """
+        normal, coupling, shear, twist = (np.asarray(self.compliance(k, load, omega)) for load in _LOADS_OF_MATRIX)
+        rows = [[normal, -1j * coupling], [1j * coupling, 2.0 * shear - twist]]
+        return np.moveaxis(np.array(rows, np.complex128), (0, 1), (-2, -1))
 
     def compliance_limits(self, omega: float = 0.0) -> ComplianceLimits:
         """Return the limits of the compliance C(k) under a pressure.
@@ -252,7 +304,7 @@ class Medium(WithParameters):
         Parameters
         ----------
         omega : float, optional
-            Angular frequency of a viscoelastic medium, 0 for the relaxed one [1/time].
+            Angular frequency of a viscoelastic medium, of either sign, 0 for the relaxed one [1/time].
 
         Returns
         -------
@@ -263,7 +315,7 @@ class Medium(WithParameters):
         Raises
         ------
         InvalidArgumentError
-            The medium is given by its modulus alone, is graded by a power law, is rigid or poroelastic, or omega < 0.
+            The medium is given by its modulus alone, is graded by a power law, is rigid or poroelastic, or omega is not finite.
 
         Notes
         -----

@@ -58,6 +58,9 @@ class Pair(Medium):
     def _bodies(self) -> list[Handle]:
         return [handle for body in (self.lower, self.upper) if isinstance(body, Medium) for handle in body._bodies()]
 
+    def _signs(self) -> list[float]:
+        return [sign for body, sign in ((self.lower, 1.0), (self.upper, -1.0)) if isinstance(body, Medium) for _ in body._bodies()]
+
     def _stack(self) -> tuple[Any, ...]:
         return self.lower._stack() if isinstance(self.lower, Medium) else ()
 

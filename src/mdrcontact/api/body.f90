@@ -4,7 +4,7 @@ module mdrcontact_api_body
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_int8_t, c_loc, c_ptr, c_size_t, &
                                            c_sizeof
     use mdrcontact_api_any_body, only: any_body_t, return_body
-    use mdrcontact_api_arrays, only: check_each_not_negative, check_results
+    use mdrcontact_api_arrays, only: check_results
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_layer_t, c_surface_t
@@ -13,7 +13,7 @@ module mdrcontact_api_body
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_body_wrinkling, only: find_wrinkling
-    use mdrcontact_error, only: check_choice, check_memory, count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_choice, check_finite, check_memory, count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, new_material, new_transverse
     use mdrcontact_material_transverse, only: by_engineering, by_stiffness
@@ -90,7 +90,7 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(body, "body", given, error)
-        call check_each_not_negative(error, "omega", [omega])
+        if (.not. allocated(error)) call check_finite(error, "omega", omega)
         if (allocated(error)) then
             status = status_of(error)
             return

@@ -58,7 +58,7 @@ void fuzz_conduction(world *w)
         judge("mdr_conduction_admittance", status, points, more, NOT_NAN);
         fill(out);
         fill(more);
-        status = mdr_conduction_compliance(p, a, points, x, out, more);
+        status = mdr_conduction_compliance(p, points, x, z, out, more);
         judge("mdr_conduction_compliance", status, points, out, NOT_NAN);
         judge("mdr_conduction_compliance", status, points, more, NOT_NAN);
         fill(out);

@@ -40,7 +40,7 @@ void fuzz_gels(world *w)
     judge("mdr_poroelastic_pressure", status, n, out, NOT_NAN);
     fill(out);
     fill(loss);
-    status = mdr_poroelastic_compliance(nu, drainage, ratio, G, D, take_positive(&w->in), n, x, out, loss);
+    status = mdr_poroelastic_compliance(nu, drainage, ratio, G, D, n, x, time, out, loss);
     judge("mdr_poroelastic_compliance", status, n, out, NOT_NAN);
     judge("mdr_poroelastic_compliance", status, n, loss, NOT_NAN);
     judge_status("mdr_free", mdr_free(gel));

@@ -31,13 +31,14 @@ static double take_substrate(input *in)
 /* What the surface of a body answers. */
 static void waves(input *in, const mdr_body *body)
 {
-    const int n = take_count(in), load = take_member(in, MDR_LOAD_NORMAL, MDR_LOAD_TWIST - MDR_LOAD_NORMAL + 1);
-    const double omega = take_chance(in) ? take_positive(in) : 0.0;
-    double k[MOST_POINTS], out[MOST_POINTS];
+    const int n = take_count(in), load = take_member(in, MDR_LOAD_NORMAL, MDR_LOAD_COUPLING - MDR_LOAD_NORMAL + 1);
+    const int at_rest = take_chance(in);
+    double k[MOST_POINTS], omega[MOST_POINTS], out[MOST_POINTS];
 
     take_positives(in, k);
+    take_positives(in, omega);
     fill(out);
-    judge("mdr_body_compliance", mdr_body_compliance(body, load, omega, n, k, out, NULL), n, out, FINITE);
+    judge("mdr_body_compliance", mdr_body_compliance(body, load, n, k, at_rest ? NULL : omega, out, NULL), n, out, FINITE);
 }
 
 /* Layers of all kinds, the stress at which one wrinkles, and what their surface answers. */

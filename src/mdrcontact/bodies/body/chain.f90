@@ -22,6 +22,8 @@ module mdrcontact_body_chain
     real(wp), parameter :: deepest = 25.0_wp
     !> Waves so long that k times the total thickness is below `longest` see all layers through a power series of this order.
     integer, parameter :: series_order = 10
+    !> More layers than these take longer than a table.
+    integer, parameter :: most_layers = 4
     real(wp), parameter :: longest = 0.1_wp
 
     !> A place in the chain.
@@ -48,6 +50,7 @@ module mdrcontact_body_chain
     contains
         procedure :: chi_in_plane
         procedure :: chi_across
+        procedure :: coupling
         procedure :: matrices
         procedure :: least_support
         procedure :: thinnest
@@ -100,6 +103,7 @@ contains
             if (allocated(error)) return
         end do
         if (count > 0) self%first_depth = thickness(1)*self%links(1)%element%decay
+        self%is_costly = count > most_layers
         if (count > 0 .and. last == count) call add_series(self)
         self%is_film = last == 1 .and. all(moduli%is_plain)
         if (self%is_film) self%film = new_film(moduli(1)%poisson, moduli(2)%poisson, contrast)
@@ -287,6 +291,21 @@ contains
             end if
         end associate
     end subroutine carry
+
+    !> S_12 of the body over S_22 of the surface material's half-space.
+    subroutine coupling(self, k, ratio, error)
+        class(chain_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        complex(wp), intent(out) :: ratio
+        type(error_t), allocatable, intent(inout) :: error
+        complex(wp), dimension(2, 2) :: half_space, whole, change
+        logical :: is_whole
+
+        associate (unused => error)
+        end associate
+        call self%matrices(k, half_space, whole, change, is_whole)
+        ratio = whole(1, 2)/half_space(2, 2)
+    end subroutine coupling
 
     !> S of the surface material's half-space, of the body, and what the body changes: the second keeps its digits for long waves
     !> and the third for short ones.

@@ -9,13 +9,14 @@
 !> one_plus_chi and chi are analytic in a sector around the positive k axis.
 module mdrcontact_body_compliance
     use mdrcontact_object, only: object_t
-    use mdrcontact_codes, only: normal_load => load_normal, shear_load => load_shear, twist_load => load_twist
-    use mdrcontact_error, only: error_t
+    use mdrcontact_codes, only: coupling_load => load_coupling, normal_load => load_normal, &
+                                shear_load => load_shear, twist_load => load_twist
+    use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: moduli_t
     implicit none (type, external)
     private
-    public :: compliance_t, plane_compliance_t, normal_load, shear_load, twist_load, along, normal_to
+    public :: compliance_t, plane_compliance_t, coupling_load, normal_load, shear_load, twist_load, along, normal_to
 
     !> Directions in the plane of a wave: along the surface and normal to it.
     integer, parameter :: along = 1, normal_to = 2
@@ -28,11 +29,15 @@ module mdrcontact_body_compliance
         complex(wp) :: at_zero = 1.0_wp
         !> depth of the first interface, 0 where chi vanishes, and that below which the body is homogeneous, or rigid [length]
         real(wp) :: first_depth = 0.0_wp, last_depth = 0.0_wp
+        !> whether chi at many wavenumbers takes longer than a table of it
+        logical :: is_costly = .false.
     contains
         !> one_plus_chi and chi at wavenumbers, each to full relative precision as far as it is known
         procedure(chi_at), deferred :: chi
         !> one_plus_chi of what short waves meet, and what the body adds to it, which decays with the depth of the first interface
         procedure :: split
+        !> of a normal load: displacement along a wave over that of the surface's half-space along the normal
+        procedure :: coupling => no_coupling
         !> the shortest and the longest length in it, 0 of a half-space [length]
         procedure :: lengths => depths
         !> numbers without a unit that determine it but for length and stiffness; none if that takes too many
@@ -91,6 +96,19 @@ contains
         call self%chi(k, bare, change)
         bare = 1.0_wp
     end subroutine split
+
+    subroutine no_coupling(self, k, ratio, error)
+        class(compliance_t), intent(in) :: self
+        !> real part > 0 [1/length]
+        complex(wp), intent(in) :: k
+        complex(wp), intent(out) :: ratio
+        type(error_t), allocatable, intent(inout) :: error
+
+        associate (unused => self, also_unused => k)
+        end associate
+        ratio = 0.0_wp
+        call raise(error, error_invalid, "load: the coupling is not available for this surface")
+    end subroutine no_coupling
 
     pure function depths(self) result(lengths)
         class(compliance_t), intent(in) :: self

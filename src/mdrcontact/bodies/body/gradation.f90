@@ -40,6 +40,8 @@ module mdrcontact_body_gradation
     contains
         procedure :: chi_in_plane
         procedure :: chi_across
+        procedure :: coupling
+        procedure, private :: carried_up
     end type gradation_t
 
 contains
@@ -67,6 +69,7 @@ contains
         self%ends(:) = ends
         self%first_depth = ends(2)
         self%last_depth = ends(n + 1)
+        self%is_costly = .true.
         call self%set_load(load, moduli_of(shear(1, 1), poisson(1, 1)), moduli_of(end_shear(n), end_poisson(n)))
         call new_layer(self%top, ends(2), (1.0_wp, 0.0_wp), cmplx(poisson(1, 1), kind=wp))
         do i = 1, n
@@ -127,7 +130,7 @@ contains
         seen = min(count(self%ends(2:)*abs(k) <= longest), start)
     end subroutine find_sublayers
 
-    !> In the plane of the wave: the compliance carried up from where waves end, or from the homogeneous body below.
+    !> In the plane of the wave.
     pure subroutine chi_in_plane(self, k, direction, one_plus_chi, chi)
         class(gradation_t), intent(in) :: self
         complex(wp), intent(in) :: k
@@ -135,6 +138,42 @@ contains
         complex(wp), intent(out) :: one_plus_chi, chi
         complex(wp) :: compliance(2, 2)
         real(wp) :: scale
+        logical :: is_whole
+
+        call self%carried_up(k, compliance, is_whole)
+        scale = real(self%top%half_space(direction, direction), wp)
+        if (is_whole) then
+            one_plus_chi = compliance(direction, direction)/scale
+            chi = one_plus_chi - 1.0_wp
+        else
+            chi = compliance(direction, direction)/scale
+            one_plus_chi = 1.0_wp + chi
+        end if
+    end subroutine chi_in_plane
+
+    !> S_12 over S_22 of the surface's half-space.
+    subroutine coupling(self, k, ratio, error)
+        class(gradation_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        complex(wp), intent(out) :: ratio
+        type(error_t), allocatable, intent(inout) :: error
+        complex(wp) :: compliance(2, 2)
+        logical :: is_whole
+
+        associate (unused => error)
+        end associate
+        call self%carried_up(k, compliance, is_whole)
+        if (.not. is_whole) compliance = compliance + self%top%half_space
+        ratio = compliance(1, 2)/self%top%half_space(2, 2)
+    end subroutine coupling
+
+    !> The compliance carried up from where waves end, or from the homogeneous body below: the whole of it, or what is not the
+    !> surface's half-space's.
+    pure subroutine carried_up(self, k, compliance, is_whole)
+        class(gradation_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        complex(wp), intent(out) :: compliance(2, 2)
+        logical, intent(out) :: is_whole
         integer :: i, start, seen
 
         call find_sublayers(self, k, start, seen)
@@ -142,17 +181,13 @@ contains
         do i = start, max(seen, 1) + 1, -1
             compliance = transferred(series_value(self%plane%series(:, :, :, i), k), compliance)
         end do
-        scale = real(self%top%half_space(direction, direction), wp)
-        if (seen > 0) then
+        is_whole = seen > 0
+        if (is_whole) then
             compliance = transferred(series_value(self%plane%from_surface(:, :, :, seen), k), compliance)
-            one_plus_chi = compliance(direction, direction)/scale
-            chi = one_plus_chi - 1.0_wp
         else
             compliance = self%top%reflected(k, compliance)
-            chi = compliance(direction, direction)/scale
-            one_plus_chi = 1.0_wp + chi
         end if
-    end subroutine chi_in_plane
+    end subroutine carried_up
 
     !> Across the plane of the wave.
     pure subroutine chi_across(self, k, one_plus_chi, chi)

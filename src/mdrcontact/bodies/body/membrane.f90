@@ -83,6 +83,7 @@ contains
         self%at_zero = body%at_zero*(1.0_wp + self%excess)
         self%first_depth = body%first_depth
         self%last_depth = body%last_depth
+        self%is_costly = body%is_costly
         shortest = self%length
         longest = self%length
         if (body%first_depth > 0.0_wp) then

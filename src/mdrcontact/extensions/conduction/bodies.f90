@@ -166,8 +166,8 @@ contains
         class(conduction_t), intent(in) :: self
         !> wavenumbers > 0 [1/length]
         real(wp), intent(in) :: k(:)
-        !> angular frequency >= 0 [1/time]
-        real(wp), intent(in) :: omega
+        !> angular frequencies of either sign, same size as k [1/time]
+        real(wp), intent(in) :: omega(:)
         !> same size as k [length/conductance]
         complex(wp), intent(out) :: values(:)
         complex(wp) :: one_plus_chi(size(k)), chi(size(k))
@@ -175,9 +175,10 @@ contains
 
         values = 0.0_wp
         do i = 1, size(self%bodies)
-            call self%bodies(i)%response(cmplx(k, kind=wp), cmplx(0.0_wp, omega, wp), one_plus_chi, chi)
+            call self%bodies(i)%response(cmplx(k, kind=wp), cmplx(0.0_wp, abs(omega), wp), one_plus_chi, chi)
             values = values + one_plus_chi/(self%bodies(i)%s(1)*k)
         end do
+        where (omega < 0.0_wp) values = conjg(values)
     end subroutine compliance
 
     subroutine tabulate(self, error)

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> C(k) of a gel's surface under a pressure that oscillates, for codes that solve contacts by Fourier transforms
+!> C(k) of a gel's surface under a pressure that oscillates as exp(i omega t), for codes that solve contacts by Fourier transforms
 !> (theory/poroelastic.md (2.1), (2.2)).
 module mdrcontact_poroelastic_compliance
     use mdrcontact_error, only: check_not_negative, check_positive, error_invalid, error_t, raise
@@ -25,16 +25,16 @@ contains
         real(wp), intent(in) :: thickness
         !> G > 0 [modulus], D > 0 [length^2/time]
         real(wp), intent(in) :: shear_modulus, diffusivity
-        !> angular frequency >= 0; 0: drained, as at a frequency that is next to nothing [1/time]
-        real(wp), intent(in) :: omega
-        !> wavenumbers > 0 [1/length]
+        !> angular frequencies of either sign; 0: drained, as at a frequency that is next to nothing [1/time]
+        real(wp), intent(in) :: omega(:)
+        !> wavenumbers > 0, same size [1/length]
         real(wp), intent(in) :: k(:)
         !> same size as k [length/modulus]
         complex(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
         type(gel_t) :: gel
         real(wp) :: unit
-        complex(wp) :: frequency
+        complex(wp) :: frequency(size(k))
 
         values = 0.0_wp
         call new_gel(gel, poisson, drainage, 0.0_wp, error)
@@ -42,7 +42,6 @@ contains
         call check_not_negative(error, "thickness", thickness)
         call check_positive(error, "shear_modulus", shear_modulus)
         call check_positive(error, "diffusivity", diffusivity)
-        call check_not_negative(error, "omega", omega)
         if (.not. allocated(error) .and. drainage == sealed_by_indenter) then
             call raise(error, error_invalid, "drainage = 3 (indenter): a compliance needs drainage that does not depend on "// &
                        "the contact. Use 1 (surface) or 2 (sealed)")
@@ -54,8 +53,9 @@ contains
             gel%ratio = 1.0_wp
             unit = thickness
         end if
-        frequency = cmplx(0.0_wp, max(omega*unit**2/diffusivity, lowest_frequency), wp)
+        frequency = cmplx(0.0_wp, max(abs(omega)*unit**2/diffusivity, lowest_frequency), wp)
         values = (1.0_wp + relative_compliance(gel, cmplx(k*unit, kind=wp), frequency))/(2.0_wp*shear_modulus*k)
+        where (omega < 0.0_wp) values = conjg(values)
     end subroutine poroelastic_compliance
 
 end module mdrcontact_poroelastic_compliance

@@ -1,12 +1,17 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Response of the surface of a body to a wave of load: C(k) = displacement over traction.
 module mdrcontact_medium_compliance
+    use, intrinsic :: iso_c_binding, only: c_size_t
     use mdrcontact_nonfinite, only: is_finite
     use mdrcontact_body, only: body_t
     use mdrcontact_body_chain, only: chain_t
-    use mdrcontact_body_compliance, only: compliance_t, normal_load, twist_load
-    use mdrcontact_error, only: check_made, error_domain, error_invalid, error_t, raise
+    use mdrcontact_body_compliance, only: compliance_t, coupling_load, normal_load, twist_load
+    use mdrcontact_error, only: check_made, check_memory, error_domain, error_invalid, error_t, raise, raise_at
+    use mdrcontact_gsl, only: gsl_sort_index
     use mdrcontact_kinds, only: wp
+    use mdrcontact_medium_compliance_table, only: tabulated_compliance
+    use mdrcontact_medium_power_graded, only: power_graded_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
     use mdrcontact_body_membrane, only: membrane_t, new_membrane
     use mdrcontact_tension_stability, only: check_stability
@@ -26,9 +31,12 @@ module mdrcontact_medium_compliance
         complex(wp) :: rest = 0.0_wp
     end type compliance_limits_t
 
-    !> C(k) of an elastic body, or of one that relaxes.
+    !> Wavenumbers from which a table of them takes less time than each of a costly compliance.
+    integer, parameter :: table_from = 2000
+
+    !> C(k) of an elastic body, of one that relaxes, or of one that has one solution.
     interface surface_compliance
-        module procedure of_elastic, of_relaxing
+        module procedure of_elastic, of_relaxing, of_solved
     end interface surface_compliance
 
     !> The limits of its compliance under a pressure.
@@ -55,12 +63,13 @@ contains
 
     !> C(k), for any model of the contact (theory/exact.md (1.1)): 2/(E* k) of a half-space under a pressure, (2 -
     !> nu)/(2 G k) under a load of one direction averaged over the directions of the wave, 1/(G k) under one across the wave, which
-    !> a twist consists of. Under a load along the wave it is twice the second less the third.
+    !> a twist consists of. Under a load along the wave it is twice the second less the third. The coupling of the first with that
+    !> load, (1 - 2 nu)/(2 G k) of a half-space, is i C of displacements along waves exp(i k x), -i C of those along the normal.
     subroutine of_elastic(body, surface, load, k, values, error)
         class(body_t), intent(in) :: body
         !> properties of its surface
         type(surface_t), intent(in) :: surface
-        !> normal_load, shear_load or twist_load
+        !> normal_load, shear_load, twist_load or coupling_load
         integer, intent(in) :: load
         !> wavenumbers > 0, or 0 on a rigid base [1/length]
         real(wp), intent(in) :: k(:)
@@ -75,33 +84,111 @@ contains
         if (load == normal_load) then
             call normal_compliance(body, surface, compliance, error)
         else
-            call body%compliance(load, compliance, error)
+            call body%compliance(merge(normal_load, load, load == coupling_load), compliance, error)
         end if
-        if (.not. allocated(error)) call add(compliance, load, k, values, error)
+        if (.not. allocated(error)) call set_values(compliance, load, k, values, error, is_real=.true.)
         if (.not. is_bare(surface)) call add_sheet(surface, load, k, values, error)
         call check_values(error, values)
     end subroutine of_elastic
 
-    !> The same of a viscoelastic body, at an angular frequency.
+    !> The same of a viscoelastic body under a load that oscillates as exp(i omega t).
     subroutine of_relaxing(body, load, omega, k, values, error)
         type(viscoelastic_t), intent(in) :: body
         !> as above
         integer, intent(in) :: load
-        !> >= 0; 0: when it has relaxed [1/time]
-        real(wp), intent(in) :: omega
+        !> angular frequencies of either sign, same size as k; 0: when it has relaxed [1/time]
+        real(wp), intent(in) :: omega(:)
         !> wavenumbers > 0, or 0 on a rigid base [1/length]
         real(wp), intent(in) :: k(:)
         !> same size as k [length/modulus]
         complex(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        integer(c_size_t), allocatable :: order(:)
         type(chain_t) :: chain
+        integer :: first, last, stat
 
         values = 0.0_wp
         call check_made(error, "body", body%is_made)
-        if (.not. allocated(error)) call body%chain_at(load, cmplx(0.0_wp, omega, wp), chain, error)
-        if (.not. allocated(error)) call add(chain, load, k, values, error)
+        if (allocated(error)) return
+        allocate (order(size(k)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        ! a chain for each frequency, of either sign
+        if (size(k) > 0) call gsl_sort_index(order, abs(omega), 1_c_size_t, size(k, kind=c_size_t))
+        order = order + 1
+        last = 0
+        do while (last < size(k))
+            first = last + 1
+            last = last_of_frequency(order, omega, first)
+            call body%chain_at(merge(normal_load, load, load == coupling_load), &
+                               cmplx(0.0_wp, abs(omega(order(first))), wp), chain, error)
+            if (.not. allocated(error)) call set_group(chain, load, order(first:last), k, values, error)
+            if (allocated(error)) return
+        end do
+        where (omega < 0.0_wp) values = conjg(values)
         call check_values(error, values)
     end subroutine of_relaxing
+
+    !> The last of those places in ascending order that have the size of the frequency of the first.
+    pure function last_of_frequency(order, omega, first) result(last)
+        integer(c_size_t), intent(in) :: order(:)
+        real(wp), intent(in) :: omega(:)
+        integer, intent(in) :: first
+        integer :: last
+
+        do last = first, size(order) - 1
+            if (abs(omega(order(last + 1))) > abs(omega(order(first)))) return
+        end do
+        last = size(order)
+    end function last_of_frequency
+
+    !> Values of one frequency.
+    subroutine set_group(chain, load, places, k, values, error)
+        type(chain_t), intent(in) :: chain
+        integer, intent(in) :: load
+        integer(c_size_t), intent(in) :: places(:)
+        real(wp), intent(in) :: k(:)
+        complex(wp), intent(inout) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+        complex(wp), allocatable :: of_group(:)
+        integer :: stat
+
+        allocate (of_group(size(places)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        call set_values(chain, load, k(places), of_group, error, is_real=.false.)
+        values(places) = of_group
+        if (allocated(error)) call raise_at(error, findloc(k == 0.0_wp, .true., dim=1))
+    end subroutine set_group
+
+    !> Compliance of a body that has one solution: under a pressure on one that is graded by a power of the depth.
+    subroutine of_solved(body, load, k, values, error)
+        class(solver_t), intent(in) :: body
+        integer, intent(in) :: load
+        !> wavenumbers > 0 [1/length]
+        real(wp), intent(in) :: k(:)
+        !> same size as k [length/modulus]
+        complex(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        values = 0.0_wp
+        call check_made(error, "body", body%is_made)
+        if (allocated(error)) return
+        select type (body)
+        type is (power_graded_t)
+            if (load /= normal_load) then
+                call raise(error, error_invalid, ": of a power-law graded body the compliance is available for a pressure only", &
+                           "load")
+            else if (any(k == 0.0_wp)) then
+                call raise_infinite(error, findloc(k == 0.0_wp, .true., dim=1))
+            else
+                values = body%compliance(k)
+                call check_values(error, values)
+            end if
+        class default
+            call raise(error, error_invalid, ": it is rigid and has no compliance. Use a deformable body", "body")
+        end select
+    end subroutine of_solved
 
     !> Limits of an elastic body under its surface.
     subroutine limits_of_elastic(body, surface, limits, error)
@@ -119,7 +206,7 @@ contains
         if (.not. has_springs(surface)) limits%short = 0.0_wp
     end subroutine limits_of_elastic
 
-    !> The same of a viscoelastic body at an angular frequency.
+    !> The same of a viscoelastic body at an angular frequency of either sign.
     subroutine limits_of_relaxing(body, omega, limits, error)
         type(viscoelastic_t), intent(in) :: body
         real(wp), intent(in) :: omega
@@ -221,61 +308,116 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         complex(wp), intent(in) :: values(:)
 
-        if (allocated(error) .or. all(is_finite(abs(values)))) return
+        if (allocated(error) .or. all(is_finite(real(values)) .and. is_finite(aimag(values)))) return
         call raise(error, error_domain, ": the body flows, or its compliance exceeds the range of double precision", "omega or k")
     end subroutine check_values
 
     !> The scale of a twist is 4 G0, so that M/phi of a punch is to it as dF/dd is to E*; a wave has half of it. At k = 0 the value
-    !> of a rigid base.
-    subroutine add(compliance, load, k, values, error)
+    !> of a rigid base, where a uniform load has no coupling.
+    subroutine set_values(compliance, load, k, values, error, is_real)
         class(compliance_t), intent(in) :: compliance
         integer, intent(in) :: load
         real(wp), intent(in) :: k(:)
-        complex(wp), intent(inout) :: values(:)
+        complex(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: one_plus_chi(1), chi(1), at_zero
+        !> whether C is real and may be interpolated in a table
+        logical, intent(in) :: is_real
+        complex(wp) :: at_zero
         real(wp) :: factor
         integer :: i
 
         at_zero = 0.0_wp
-        factor = merge(2.0_wp, 1.0_wp, load == twist_load)
-        if (any(k == 0.0_wp)) then
-            call value_at_zero(compliance, at_zero, findloc(k == 0.0_wp, .true., dim=1), error)
-            if (allocated(error)) return
-        end if
+        values = 0.0_wp
+        if (any(k == 0.0_wp)) call value_at_zero(compliance, load, at_zero, findloc(k == 0.0_wp, .true., dim=1), error)
+        if (allocated(error)) return
+        call set_one_plus_chi(compliance, load, k, values, is_real .and. load /= coupling_load, error)
+        factor = merge(4.0_wp, 2.0_wp, load == twist_load)
         do i = 1, size(k)
             if (k(i) == 0.0_wp) then
-                values(i) = values(i) + factor*at_zero
-                cycle
+                values(i) = 0.5_wp*factor*at_zero
+            else if (is_real) then
+                values(i) = factor*real(values(i), wp)/(real(compliance%scale, wp)*k(i))
+            else
+                values(i) = factor*values(i)/(compliance%scale*k(i))
             end if
-            call compliance%chi([cmplx(k(i), kind=wp)], one_plus_chi, chi)
-            values(i) = values(i) + 2.0_wp*factor*one_plus_chi(1)/(compliance%scale*k(i))
         end do
-    end subroutine add
+    end subroutine set_values
+
+    !> 1 + chi, or under a traction along the wave what the coupling has instead of it.
+    subroutine set_one_plus_chi(compliance, load, k, values, may_interpolate, error)
+        class(compliance_t), intent(in) :: compliance
+        integer, intent(in) :: load
+        real(wp), intent(in) :: k(:)
+        complex(wp), intent(inout) :: values(:)
+        logical, intent(in) :: may_interpolate
+        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable :: not_smooth
+        integer, parameter :: block = 64
+        complex(wp) :: waves(block), one_plus_chi(block), chi(block)
+        real(wp), allocatable :: interpolated(:)
+        integer :: i, n, first, last, stat
+
+        if (compliance%is_costly .and. may_interpolate .and. count(k > 0.0_wp) >= table_from) then
+            allocate (interpolated(count(k > 0.0_wp)), stat=stat)
+            call check_memory(error, stat)
+            if (stat /= 0) return
+            call tabulated_compliance(compliance, pack(k, k > 0.0_wp), interpolated, not_smooth)
+            values = unpack(cmplx(interpolated, kind=wp), k > 0.0_wp, values)
+            if (.not. allocated(not_smooth)) return
+        end if
+        do first = 1, size(k), block
+            last = min(first + block - 1, size(k))
+            n = last - first + 1
+            ! at k = 0 any number
+            waves(:n) = merge(k(first:last), 1.0_wp, k(first:last) > 0.0_wp)
+            if (load == coupling_load) then
+                do i = first, last
+                    call compliance%coupling(waves(i - first + 1), values(i), error)
+                    values(i) = -values(i)
+                end do
+                if (allocated(error)) return
+            else
+                call compliance%chi(waves(:n), one_plus_chi(:n), chi(:n))
+                values(first:last) = one_plus_chi(:n)
+            end if
+        end do
+    end subroutine set_one_plus_chi
 
     !> C at k = 0, if it is finite.
-    subroutine value_at_zero(compliance, value, entry, error)
+    subroutine value_at_zero(compliance, load, value, entry, error)
         class(compliance_t), intent(in) :: compliance
+        integer, intent(in) :: load
         complex(wp), intent(out) :: value
         !> of k, for the error
         integer, intent(in) :: entry
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: one_plus_chi(1), chi(1)
+        !> k C/2 of waves so much longer than the body is thick is less than this where C is finite
+        real(wp), parameter :: long_wave = 1.0e-15_wp, small = 1.0e-3_wp
+        complex(wp) :: nearly(1)
         type(compliance_limits_t) :: limits
         real(wp) :: length
 
         value = 0.0_wp
         length = maxval(compliance%lengths())
         if (.not. abs(compliance%at_zero) > 0.0_wp .and. length > 0.0_wp) then
-            call compliance%chi([cmplx(1.0e-15_wp/length, kind=wp)], one_plus_chi, chi)
-            if (abs(one_plus_chi(1)) < 1.0e-3_wp) then
+            nearly = 0.0_wp
+            call set_one_plus_chi(compliance, load, [long_wave/length], nearly, .false., error)
+            if (allocated(error)) return
+            if (abs(nearly(1)) < small) then
                 limits = limits_of(compliance)
-                value = limits%rest
+                if (load /= coupling_load) value = limits%rest
                 return
             end if
         end if
-        call raise(error, error_invalid, " = 0: the compliance is infinite there. Give k > 0; only a body that is bonded to a "// &
-                   "rigid base has a value at 0", "k", entry)
+        call raise_infinite(error, entry)
     end subroutine value_at_zero
+
+    pure subroutine raise_infinite(error, entry)
+        type(error_t), allocatable, intent(inout) :: error
+        integer, intent(in) :: entry
+
+        call raise(error, error_invalid, " = 0: the compliance is infinite there. Give k > 0; only a body on a rigid base "// &
+                   "has a value at 0", "k", entry)
+    end subroutine raise_infinite
 
 end module mdrcontact_medium_compliance

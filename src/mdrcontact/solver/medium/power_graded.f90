@@ -37,6 +37,7 @@ module mdrcontact_medium_power_graded
         procedure :: modulus
         procedure :: solve
         procedure :: load => new_load
+        procedure :: compliance
     end type power_graded_t
 
     !> A load on it. What it does inside the body is not known.
@@ -105,6 +106,19 @@ contains
         self%spring = spring_factor(exponent, poisson)*young/((1.0_wp - poisson)*(1.0_wp + poisson))*reference_depth**(-exponent)
         self%is_made = .not. allocated(error)
     end subroutine new_power_graded
+
+    !> C(k) under a pressure, (3.20): a point force displaces the surface by cos(m pi/2)/(pi c1 r^(1 + m)).
+    elemental function compliance(self, k)
+        class(power_graded_t), intent(in) :: self
+        !> > 0 [1/length]
+        real(wp), intent(in) :: k
+        real(wp) :: compliance
+
+        associate (m => self%exponent)
+            compliance = 2.0_wp*cos(half_pi*m)/self%spring*gamma(0.5_wp*(1.0_wp - m))/gamma(0.5_wp*(1.0_wp + m)) &
+                         *(0.5_wp*k)**m/k
+        end associate
+    end function compliance
 
     !> The arguments of new_power_graded.
     pure function power_law_parameters(n) result(list)
