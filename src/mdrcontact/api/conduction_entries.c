@@ -64,17 +64,18 @@ int mdr_conduction_field(const mdr_conduction *p, int field, double radius, int 
     return status;
 }
 
-int mdrcontact_entry_conduction_compliance(const mdr_conduction *p, double omega, int n, const double k[], double out[],
+int mdrcontact_entry_conduction_compliance(const mdr_conduction *p, int n, const double k[], const double omega[], double out[],
         double imaginary[]);
-int mdr_conduction_compliance(const mdr_conduction *p, double omega, int n, const double k[], double out[], double imaginary[])
+int mdr_conduction_compliance(const mdr_conduction *p, int n, const double k[], const double omega[], double out[],
+        double imaginary[])
 {
     if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !k) return mdrcontact_refuse_null("k");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_compliance(p, omega, n, k, out, imaginary);
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_compliance(p, n, k, omega, out, imaginary);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_compliance(p, omega, n, k, out, imaginary);
+    const int status = mdrcontact_entry_conduction_compliance(p, n, k, omega, out, imaginary);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }

@@ -2,7 +2,7 @@
 !> Functions of conduction that convert, call and deliver, for C. Written by tools/generate.py.
 module mdrcontact_api_conduction_entries
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_each_not_negative, check_each_positive, check_results, make_room, return_parts
+    use mdrcontact_api_arrays, only: check_each_finite, check_each_positive, check_results, make_room, return_parts
     use mdrcontact_api_conduction, only: take_conductors
     use mdrcontact_api_conduction_open_handle, only: open_handle
     use mdrcontact_api_handles, only: return_object
@@ -105,23 +105,27 @@ contains
         status = return_object(object, out, error)
     end function mdr_conduction_tabulate
 
-    function mdr_conduction_compliance(p, omega, n, k, out, imaginary) result(status) &
+    function mdr_conduction_compliance(p, n, k, omega, out, imaginary) result(status) &
         bind(C, name="mdrcontact_entry_conduction_compliance")
         type(c_ptr), value :: p
-        real(c_double), value :: omega
         integer(c_int), value :: n
-        real(c_double), intent(in), optional :: k(*)
+        real(c_double), intent(in), optional :: k(*), omega(*)
         real(c_double), intent(inout), optional :: out(*), imaginary(*)
         integer(c_int) :: status
         type(conduction_t), pointer :: p_inside
+        real(c_double), allocatable :: frequencies(:)
         complex(c_double), allocatable :: out_values(:)
         type(error_t), allocatable :: error
 
         call open_handle(p, "p", p_inside, error)
-        if (.not. allocated(error)) call check_each_not_negative(error, "omega", [omega])
+        if (.not. allocated(error)) call make_room(error, n, frequencies)
+        if (.not. allocated(error) .and. n > 0) then
+            if (present(omega)) frequencies(:) = omega(:n)
+        end if
+        if (.not. allocated(error)) call check_each_finite(error, "omega", frequencies)
         if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "k", k(:n))
         call make_room(error, n, out_values)
-        if (.not. allocated(error) .and. n > 0) call p_inside%compliance(k(:n), omega, out_values)
+        if (.not. allocated(error) .and. n > 0) call p_inside%compliance(k(:n), frequencies, out_values)
         call return_parts(error, out_values, out, imaginary)
         status = status_of(error)
     end function mdr_conduction_compliance

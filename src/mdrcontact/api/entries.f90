@@ -17,7 +17,7 @@ module mdrcontact_api_entries
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_batch, only: run_map
     use mdrcontact_body, only: body_t
-    use mdrcontact_body_compliance, only: normal_load, shear_load, twist_load
+    use mdrcontact_body_compliance, only: coupling_load, normal_load, shear_load, twist_load
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
     use mdrcontact_codes, only: limit_glassy, limit_relaxed
     use mdrcontact_contact, only: contact_t
@@ -463,28 +463,31 @@ contains
         status = return_solved(object, out, error)
     end function mdr_body_rigid
 
-    function mdr_body_compliance(body, load, omega, n, k, out, imaginary) result(status) &
+    function mdr_body_compliance(body, load, n, k, omega, out, imaginary) result(status) &
         bind(C, name="mdrcontact_entry_body_compliance")
         type(c_ptr), value :: body
         integer(c_int), value :: load, n
-        real(c_double), value :: omega
-        real(c_double), intent(in), optional :: k(*)
+        real(c_double), intent(in), optional :: k(*), omega(*)
         real(c_double), intent(inout), optional :: out(*), imaginary(*)
         integer(c_int) :: status
         type(any_body_t), pointer :: body_inside
-        real(c_double), allocatable :: wavenumbers(:)
+        real(c_double), allocatable :: wavenumbers(:), frequencies(:)
         complex(c_double), allocatable :: out_values(:)
         type(error_t), allocatable :: error
 
         call open_handle(body, "body", body_inside, error)
-        if (.not. allocated(error)) call check_code(error, "load", load, [normal_load, shear_load, twist_load])
-        if (.not. allocated(error)) call check_each_not_negative(error, "omega", [omega])
-        if (.not. allocated(error) .and. n > 0) call check_each_not_negative(error, "k", k(:n))
+        if (.not. allocated(error)) call check_code(error, "load", load, [normal_load, shear_load, twist_load, coupling_load])
         if (.not. allocated(error)) call make_room(error, n, wavenumbers)
+        if (.not. allocated(error)) call make_room(error, n, frequencies)
         if (.not. allocated(error) .and. n > 0) wavenumbers(:) = k(:n)
+        if (.not. allocated(error) .and. n > 0) then
+            if (present(omega)) frequencies(:) = omega(:n)
+        end if
+        if (.not. allocated(error)) call check_each_not_negative(error, "k", wavenumbers)
+        if (.not. allocated(error)) call check_each_finite(error, "omega", frequencies)
         call make_room(error, n, out_values)
         if (.not. allocated(error)) then
-            if (allocated(body_inside%relaxing)) call surface_compliance(body_inside%relaxing, load, omega, wavenumbers, &
+            if (allocated(body_inside%relaxing)) call surface_compliance(body_inside%relaxing, load, frequencies, wavenumbers, &
                 out_values, error)
         end if
         if (.not. allocated(error)) then
@@ -492,8 +495,7 @@ contains
                 wavenumbers, out_values, error)
         end if
         if (.not. allocated(error)) then
-            if (allocated(body_inside%solved)) call raise(error, error_invalid, &
-                ": the compliance of rigid and of power-law graded bodies "// "is not available. Use another body", "body")
+            if (allocated(body_inside%solved)) call surface_compliance(body_inside%solved, load, wavenumbers, out_values, error)
         end if
         call return_parts(error, out_values, out, imaginary)
         status = status_of(error)

@@ -92,6 +92,7 @@ const char *mdr_name_of(int code)
     case 901: return "normal";
     case 902: return "shear";
     case 903: return "twist";
+    case 904: return "coupling";
     case 1001: return "phi";
     case 1002: return "i0";
     case 1003: return "i1";

@@ -88,18 +88,18 @@ int mdr_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, do
 }
 
 int mdrcontact_entry_poroelastic_compliance(double nu, int drainage, double thickness, double shear_modulus, double diffusivity,
-        double omega, int n, const double k[], double out[], double imaginary[]);
-int mdr_poroelastic_compliance(double nu, int drainage, double thickness, double shear_modulus, double diffusivity, double omega,
-        int n, const double k[], double out[], double imaginary[])
+        int n, const double k[], const double omega[], double out[], double imaginary[]);
+int mdr_poroelastic_compliance(double nu, int drainage, double thickness, double shear_modulus, double diffusivity, int n,
+        const double k[], const double omega[], double out[], double imaginary[])
 {
     if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !k) return mdrcontact_refuse_null("k");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
-    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity,
-        omega, n, k, out, imaginary);
+    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity, n,
+        k, omega, out, imaginary);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity, omega, n, k,
+    const int status = mdrcontact_entry_poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity, n, k, omega,
         out, imaginary);
     mdrcontact_set_arithmetic_back(&callers);
     return status;

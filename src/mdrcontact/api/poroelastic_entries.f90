@@ -2,7 +2,7 @@
 !> Functions of poroelastic that convert, call and deliver, for C. Written by tools/generate.py.
 module mdrcontact_api_poroelastic_entries
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_each_positive, check_results, make_room, return_parts
+    use mdrcontact_api_arrays, only: check_each_finite, check_each_positive, check_results, make_room, return_parts
     use mdrcontact_api_handles, only: return_object
     use mdrcontact_api_poroelastic_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
@@ -136,24 +136,29 @@ contains
         if (present(out)) out(:n) = out_values
     end function mdr_poroelastic_pressure
 
-    function mdr_poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity, omega, n, k, out, imaginary) result( &
+    function mdr_poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity, n, k, omega, out, imaginary) result( &
         status) &
         bind(C, name="mdrcontact_entry_poroelastic_compliance")
-        real(c_double), value :: nu, thickness, shear_modulus, diffusivity, omega
+        real(c_double), value :: nu, thickness, shear_modulus, diffusivity
         integer(c_int), value :: drainage, n
-        real(c_double), intent(in), optional :: k(*)
+        real(c_double), intent(in), optional :: k(*), omega(*)
         real(c_double), intent(inout), optional :: out(*), imaginary(*)
         integer(c_int) :: status
-        real(c_double), allocatable :: wavenumbers(:)
+        real(c_double), allocatable :: wavenumbers(:), frequencies(:)
         complex(c_double), allocatable :: out_values(:)
         type(error_t), allocatable :: error
 
-        if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "k", k(:n))
-        if (.not. allocated(error)) call make_room(error, n, wavenumbers)
+        call make_room(error, n, wavenumbers)
+        if (.not. allocated(error)) call make_room(error, n, frequencies)
         if (.not. allocated(error) .and. n > 0) wavenumbers(:) = k(:n)
+        if (.not. allocated(error) .and. n > 0) then
+            if (present(omega)) frequencies(:) = omega(:n)
+        end if
+        if (.not. allocated(error)) call check_each_positive(error, "k", wavenumbers)
+        if (.not. allocated(error)) call check_each_finite(error, "omega", frequencies)
         call make_room(error, n, out_values)
         if (.not. allocated(error)) then
-            call poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity, omega, wavenumbers, out_values, &
+            call poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity, frequencies, wavenumbers, out_values, &
                 error)
         end if
         call return_parts(error, out_values, out, imaginary)

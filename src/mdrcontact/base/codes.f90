@@ -10,7 +10,7 @@ module mdrcontact_codes
               paraboloid_relaxation, complex_modulus, storage, loss, total_pressure, pore_pressure, flux, flux_z, flux_r, &
               potential, conductance, resistance, mean_potential, centre_potential, gaussian_potential, von_mises, tresca, &
               tension, interface_shear, interface_tension, free_surface_tension
-    public :: load_normal, load_shear, load_twist
+    public :: load_normal, load_shear, load_twist, load_coupling
     public :: form_paraboloid_force, form_cone_force, form_adhesive_depth, form_reduced_depth, form_radius_scale, form_depth_scale
     public :: base_half_space, base_perfect, base_insulating
     public :: heat_sliding, heat_spinning, heat_moving
@@ -187,6 +187,9 @@ module mdrcontact_codes
     integer, parameter :: load_shear = 902
     !> MDR_LOAD_TWIST. Traction along the surface, normal to the wave vector; a traction around an axis consists of such waves.
     integer, parameter :: load_twist = 903
+    !> MDR_LOAD_COUPLING. Normal displacement per traction along the wave vector, -i C, and displacement along the wave vector per
+    !> pressure, i C, of waves exp(i k x); both positive into the body and along x.
+    integer, parameter :: load_coupling = 904
 
     ! enum mdr_formula
     !> MDR_FORM_PARABOLOID_FORCE. R > 0, G0, G1, h: F(a) of a paraboloid without adhesion, equation (24): (16 a^3/(3R)) [G1 + (G0 -
@@ -447,10 +450,10 @@ module mdrcontact_codes
     integer, parameter :: numbers(*) = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 101, 102, 103, 104, 105, 106, 107, 108, 111, 112, 113, 114, &
         121, 122, 123, 124, 131, 132, 133, 134, 135, 136, 137, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 161, 162, 163, &
         164, 165, 166, 167, 168, 169, 181, 182, 183, 184, 185, 186, 201, 202, 203, 204, 205, 206, 207, 208, 209, 210, 211, 212, &
-        213, 301, 302, 401, 402, 501, 502, 601, 602, 701, 702, 801, 802, 803, 901, 902, 903, 1001, 1002, 1003, 1004, 1005, 1006, &
-        1007, 1101, 1102, 1103, 1104, 1105, 1106, 1201, 1202, 1203, 1204, 1301, 1302, 1303, 1401, 1402, 1403, 1404, 1405, 1406, &
-        1501, 1502, 1503, 1504, 1505, 1506, 1507, 1601, 1602, 1603, 1701, 1702, 1703, 1801, 1802, 1803, 1901, 1902, 1903, 2001, &
-        2002, 2101, 2102]
+        213, 301, 302, 401, 402, 501, 502, 601, 602, 701, 702, 801, 802, 803, 901, 902, 903, 904, 1001, 1002, 1003, 1004, 1005, &
+        1006, 1007, 1101, 1102, 1103, 1104, 1105, 1106, 1201, 1202, 1203, 1204, 1301, 1302, 1303, 1401, 1402, 1403, 1404, 1405, &
+        1406, 1501, 1502, 1503, 1504, 1505, 1506, 1507, 1601, 1602, 1603, 1701, 1702, 1703, 1801, 1802, 1803, 1901, 1902, 1903, &
+        2001, 2002, 2101, 2102]
     character(len=21), parameter :: words(*) = [character(len=21) :: "success", "null", "invalid", "domain", "unreachable", &
         "no-convergence", "no-memory", "callback", "file", "cancelled", "depth", "force", "radius", "spring", "shift", &
         "tangential_force", "twist", "torque", "height", "height_slope", "g", "g_slope", "modulus", "stiffness", &
@@ -461,12 +464,12 @@ module mdrcontact_codes
         "von_mises", "tresca", "tension", "interface_shear", "interface_tension", "free_surface_tension", "gao", "gao-series", &
         "doerner-nix", "wave", "mencik-exponential", "mencik-reciprocal", "bec", "perriot-barthel", "hay-crawford", "dimitriadis", &
         "garcia", "exact", "gao-power", "loading", "unloading", "lower", "upper", "below", "above", "along", "around", "glassy", &
-        "relaxed", "automatic", "paper", "energy", "normal", "shear", "twist", "phi", "i0", "i1", "j0", "j1", "i0-tangential", &
-        "j0-tangential", "paraboloid-force", "cone-force", "adhesive-depth", "reduced-depth", "radius-scale", "depth-scale", &
-        "surface", "substrate", "effective", "given", "elastic", "any", "rigid", "layer", "half-space", "ball", "fibre", "pillar", &
-        "box", "force-depth", "stiffness-depth", "modulus-radius", "stiffness-radius", "force-time", "depth-time", &
-        "dynamic-stiffness", "linear", "huber", "cauchy", "surface", "sealed", "indenter", "half-space", "perfect", "insulating", &
-        "sliding", "spinning", "moving", "fresh", "same", "disc", "rings"]
+        "relaxed", "automatic", "paper", "energy", "normal", "shear", "twist", "coupling", "phi", "i0", "i1", "j0", "j1", &
+        "i0-tangential", "j0-tangential", "paraboloid-force", "cone-force", "adhesive-depth", "reduced-depth", "radius-scale", &
+        "depth-scale", "surface", "substrate", "effective", "given", "elastic", "any", "rigid", "layer", "half-space", "ball", &
+        "fibre", "pillar", "box", "force-depth", "stiffness-depth", "modulus-radius", "stiffness-radius", "force-time", &
+        "depth-time", "dynamic-stiffness", "linear", "huber", "cauchy", "surface", "sealed", "indenter", "half-space", "perfect", &
+        "insulating", "sliding", "spinning", "moving", "fresh", "same", "disc", "rings"]
 
 contains
 
