@@ -28,7 +28,7 @@ MUTATIONS = [
     ("contact/law/file.f90", "stat = 1\n        end if\n        if (stat == 0) then\n            allocate",
      "stat = 0\n        end if\n"
      "        if (stat == 0) then\n            allocate", "test_law_file|fuzz_replay_law"),
-    ("contact/law/crc32.f90", "-306674912_int32", "-306674911_int32", "test_law_file|c_law"),
+    ("base/crc32.f90", "-306674912_int32", "-306674911_int32", "test_law_file|c_law"),
     ("contact/law/compile.f90", "abs(power - 0.5_wp*(roots", "abs(power - 0.4_wp*(roots", "law"),
     ("contact/law/interval.f90", "even_slope = even + q*c(7)", "even_slope = even + 0.5_wp*q*c(7)", "law"),
     ("contact/law/interval.f90", "self%side*(0.5_wp*rate/max", "self%side*(rate/max", "law"),

@@ -3,11 +3,11 @@
 !> from as text, the numbers in hexadecimal (every bit, on any machine), and a checksum.
 module mdrcontact_law_file
     use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_crc32, only: crc32_text
     use mdrcontact_error, only: check_made, check_memory, count_text, error_file, error_t, explain, raise
     use mdrcontact_file, only: path_length, read_file, write_file
     use mdrcontact_kinds, only: wp
     use mdrcontact_law, only: contact_law_t
-    use mdrcontact_law_crc32, only: crc32_text
     use mdrcontact_law_friction, only: find_levels, friction_law_t
     use mdrcontact_law_interval, only: coefficient_count
     use mdrcontact_law_levels, only: allocate_shares, count_shares, fewest_sliders, most_sliders, share_index, share_nodes

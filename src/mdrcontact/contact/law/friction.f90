@@ -13,12 +13,11 @@
 !> Sliders of a twist carry a torque M where the others carry T, and turn by phi where these move by s: the spin of a ball about the
 !> normal, under Coulomb's law and any path of phi and F (mdrcontact_law_twist).
 module mdrcontact_law_friction
-    use, intrinsic :: iso_fortran_env, only: int32
     use mdrcontact_batch, only: batch_t, run_batch
     use mdrcontact_contact, only: on_unloading
+    use mdrcontact_crc32, only: mark_of
     use mdrcontact_error, only: check_made, count_text, error_domain, error_invalid, error_t, raise, raise_at, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law_crc32, only: crc32_text
     use mdrcontact_law_evaluate, only: point_at, run_points, wanted_t
     use mdrcontact_law_interval, only: interval_place, panel_place_t => place_t, polynomial_with_slope
     use mdrcontact_law_levels, only: by_shear, by_twist, fewest_sliders, levels_t, most_sliders, new_levels, &
@@ -137,8 +136,6 @@ contains
         type(friction_law_t), intent(inout) :: self
         !> whether there will be shares
         logical, intent(in) :: shared
-        integer(int32) :: digits
-        character(len=8) :: text
 
         if (self%shear_strength > 0.0_wp) then
             call new_radius_levels(self%levels, self%radii(1), self%radii(2), 2.0_wp*self%modulus, by_shear, self%sliders)
@@ -151,11 +148,7 @@ contains
             self%levels%strength = self%coefficient
         end if
         ! of all that a record depends on
-        associate (numbers => [self%levels%strength, real(self%sliders, wp), self%levels%force, self%levels%shift])
-            text = crc32_text(transfer(numbers, repeat(" ", size(numbers)*storage_size(numbers)/storage_size(" "))))
-        end associate
-        read (text, "(z8)") digits
-        self%levels%mark = 2.0_wp**33 + digits
+        self%levels%mark = mark_of([self%levels%strength, real(self%sliders, wp), self%levels%force, self%levels%shift])
     end subroutine find_levels
 
     !> The sliders of these bodies if F and S at each contact radius are a factor times what they were, and k_t is as it was: shares
