@@ -330,6 +330,8 @@ rate_state = np.dtype(
         ("rupture_time", np.float64),
         ("rupture_depth", np.float64),
         ("ruptures", np.float64),
+        ("force", np.float64),
+        ("mark", np.float64),
     ],
     align=True,
 )
