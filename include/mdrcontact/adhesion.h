@@ -74,8 +74,8 @@ int mdr_rate_new(const mdr_contact *c, const mdr_rate_options *options, mdr_rate
  */
 int mdr_rate_work(const mdr_rate_options *options, int n, const double v[], double out[], double *time, double *zone);
 
-/** The state of a history, a record that the calling program keeps and from which the history can continue. All 0: separated
- *  bodies. */
+/** The state of a history, a record that the calling program keeps and from which a history of the same contact can continue. It
+ *  must not be changed. All 0: separated bodies. */
 typedef struct mdr_rate_state {
     double radius;        /**< a, 0 for separated bodies [length]. At the start: less than 0 selects equilibrium, G = work, with the
                                first value, in the stable state of largest radius. */
@@ -90,6 +90,9 @@ typedef struct mdr_rate_state {
     double rupture_time;  /**< Time of the last rupture; 0 if there was none [time]. */
     double rupture_depth; /**< d immediately before the last rupture [length]. */
     double ruptures;      /**< Number of ruptures. */
+    double force;         /**< F [modulus length^2]. */
+    double mark;          /**< Checksum of the other members and of the work of adhesion. 0 at a start that is not the end of a
+                               history: the other members except `radius` must then be 0. */
 } mdr_rate_state;
 
 /** Compute a history: approach, dwell, retraction, pull-off. The controlled quantity is linear in time between its values.
@@ -113,7 +116,7 @@ typedef struct mdr_rate_state {
  *  @param work              [n] or NULL: int F dd so far [modulus length^3]
  *  @param end               receives the state at the last time
  *  @return also MDR_EDOMAIN if the contact grows beyond largest_radius, MDR_EUNREACHABLE if there is no initial equilibrium,
- *          MDR_ENOCONVERGENCE
+ *          MDR_ENOCONVERGENCE, MDR_EINVALID for a start that a history of another contact left, or that was changed
  *  @code
  *  const mdr_rate_state start = {0};
  *  const double t[3] = {0.0, 1.0, 2.0}, d[3] = {0.0, 1e-6, -1e-6};

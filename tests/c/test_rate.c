@@ -37,6 +37,32 @@ static void test_pull_off(const mdr_rate *rate)
     CHECK_CLOSE(middle.dissipated, end.dissipated, 1e-9);
 }
 
+/* The end of a history that was changed, and a start with more than a radius. */
+static void test_altered_states(const mdr_rate *rate)
+{
+    const double time[2] = {0.0, 1.0}, depth[2] = {0.1, 0.05};
+    const mdr_rate_state rest = {.radius = -1.0};
+    mdr_rate_state end = {0}, altered, after = {.radius = 7.0};
+    double *members[] = {&altered.radius, &altered.depth, &altered.dissipated, &altered.work, &altered.lowest_force,
+                         &altered.lowest_time, &altered.lowest_depth, &altered.lowest_radius, &altered.lowest_speed,
+                         &altered.rupture_time, &altered.rupture_depth, &altered.ruptures, &altered.force, &altered.mark};
+
+    CHECK_SUCCESS(mdr_rate_history(rate, MDR_DEPTH, 0.0, 0.0, &rest, 2, time, depth, NULL, NULL, NULL, NULL, NULL, NULL, &end));
+    CHECK_TRUE(end.force != 0.0 && end.mark != 0.0);
+    for (int i = 0; i < 14; i++) {
+        altered = end;
+        *members[i] = i == 12 ? 0.5 * end.force : 1e300;
+        CHECK_STATUS(mdr_rate_history(rate, MDR_DEPTH, 0.0, 0.0, &altered, 2, time, depth, NULL, NULL, NULL, NULL, NULL, NULL, &after),
+                     MDR_EINVALID, "mark");
+        altered = rest;
+        *members[i] = NAN;
+        CHECK_INT(mdr_rate_history(rate, MDR_DEPTH, 0.0, 0.0, &altered, 2, time, depth, NULL, NULL, NULL, NULL, NULL, NULL, &after),
+                  MDR_EINVALID);
+    }
+    CHECK_TRUE(after.radius == 7.0);
+    CHECK_SUCCESS(mdr_rate_history(rate, MDR_DEPTH, 0.0, 0.0, &end, 1, time, depth + 1, NULL, NULL, NULL, NULL, NULL, NULL, &after));
+}
+
 static void test_refusals(const mdr_contact *contact, const mdr_rate *rate, mdr_rate_options options)
 {
     const double time[N] = {0.0, 1.0}, still[N] = {1.0, 1.0}, deep[N] = {0.0, 9.0};
@@ -169,6 +195,7 @@ int main(void)
     options.largest_radius = 0.51;
     CHECK_SUCCESS(mdr_rate_new(contact, &options, &rate));
     test_pull_off(rate);
+    test_altered_states(rate);
     test_viscoelastic_zone();
     test_refusals(contact, rate, options);
     test_surface(contact);

@@ -216,6 +216,11 @@ def test_refusals():
         contact.history([0.0, 1.0], depth=[0.0, 1.0])
     with pytest.raises(mdr.errors.InvalidArgumentError, match="start"):
         mdr.adhesion.rate_history(contact, [0.0, 1.0], depth=[0.0, 1.0], start="here")
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="'radios'.*Remove"):
+        mdr.adhesion.rate_history(contact, [0.0, 1.0], depth=[0.0, 1.0], start={"radios": 1.0})
+    end = mdr.adhesion.rate_history(contact, [0.0, 1.0], depth=[0.0, 0.1]).end
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="mark"):
+        mdr.adhesion.rate_history(contact, [0.0, 1.0], depth=[0.1, 0.1], start={**end, "work": 2.0 * end["work"]})
     with pytest.raises(mdr.errors.UnreachableError, match="no stable"):
         mdr.adhesion.rate_history(contact, [0.0, 1.0], depth=[-1.0, -1.0], start="rest")
     with pytest.raises(mdr.errors.InvalidArgumentError, match="work_of_adhesion"):

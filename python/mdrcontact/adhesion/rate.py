@@ -46,9 +46,10 @@ class _RateHistoryNumbers(NamedTuple):
     work: NDArray[np.float64]
     """int F dd so far [modulus length^3]"""
     end: dict[str, float]
-    """state at the last time, from which a history continues (`start=`): "radius", "depth", "dissipated", "work"; pull-off:
+    """state at the last time, from which a history continues (`start=`): "radius", "depth", "force", "dissipated", "work"; pull-off
+    as
     "lowest_force", "lowest_time", "lowest_depth", "lowest_radius", "lowest_speed"; the last rupture: "rupture_time",
-    "rupture_depth"; their number "ruptures"
+    "rupture_depth"; their number "ruptures"; the checksum "mark" of all these numbers and of the law
     """
 
 
@@ -303,7 +304,7 @@ def rate_history(
     Raises
     ------
     InvalidArgumentError
-        The contact has no `adhesion`.
+        The contact has no `adhesion`, or `start` is the changed end of a history, or that of another contact.
     UnreachableError
         There is no stable contact from which to start.
 
@@ -358,7 +359,10 @@ def _start(start: Any) -> list[float]:
     """The library's record of where a history begins."""
     row = dict.fromkeys(STATE, 0.0)
     if isinstance(start, Mapping):
-        row.update({key: number(key, value) for key, value in start.items() if key in row})
+        unknown = next((key for key in start if key not in row), None)
+        if unknown is not None:
+            raise InvalidArgumentError(f"start = {{{unknown!r}: ...}}: a state has the members {', '.join(row)}. Remove this one")
+        row.update({key: number(key, value) for key, value in start.items()})
     elif start == "rest":
         row["radius"] = -1.0
     elif start != "apart":

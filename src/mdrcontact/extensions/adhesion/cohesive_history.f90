@@ -196,6 +196,7 @@ contains
         end do
         round%state%radius = path(2, size(time))
         round%state%depth = path(1, size(time))
+        round%state%force = path(of_force, size(time))
         state = round%state
     end subroutine march_once
 

@@ -7,7 +7,8 @@ module mdrcontact_adhesion_rate_history
     use mdrcontact_error, only: check_finite, check_made, check_not_negative, check_within, error_domain, error_invalid, &
                                 error_no_convergence, error_t, error_unreachable, raise, to_text
     use mdrcontact_adhesion_rate_contact, only: edge_t, edge_equation_t, rate_contact_t
-    use mdrcontact_adhesion_rate_state, only: account, break_edge, force_rate, note_force, note_lowest, rate_state_t
+    use mdrcontact_adhesion_rate_state, only: account, break_edge, check_state, force_rate, note_force, note_lowest, &
+                                              rate_state_t, sign_state
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_numerics_stiff_step, only: places, stages, stiff_step
     implicit none (type, external)
@@ -69,6 +70,7 @@ contains
         end if
         call check_within(error, "tolerance", accuracy, 1.0e-12_wp, 1.0e-3_wp)
         call check_path(time, s, error)
+        if (.not. allocated(error)) call check_state(state, contact, error)
         if (allocated(error) .or. size(time) == 0) return
         next = state
         call begin(contact, control, s(1), time(1), next, now, error)
@@ -81,6 +83,7 @@ contains
             if (allocated(error)) return
             call record(contact, control, s(i), next, now, path(:, i))
         end do
+        call sign_state(next, contact)
         state = next
     end subroutine rate_history
 
@@ -110,8 +113,6 @@ contains
         type(progress_t), intent(out) :: now
         type(error_t), allocatable, intent(inout) :: error
 
-        call check_finite(error, "radius", real(state%radius, wp))
-        if (allocated(error)) return
         if (state%radius < 0.0_wp) then
             call rest(contact, control, s, now%x, error)
             if (allocated(error)) return
@@ -352,6 +353,7 @@ contains
         end if
         state%radius = here%radius
         state%depth = here%depth
+        state%force = here%force
         row = [here%depth, here%radius, here%force, speed, real(state%dissipated, wp), real(state%work, wp)]
     end subroutine record
 

@@ -4,11 +4,13 @@
 module mdrcontact_adhesion_rate_state
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_adhesion_rate_contact, only: edge_t, edge_equation_t, rate_contact_t
+    use mdrcontact_crc32, only: coarse, mark_of
+    use mdrcontact_error, only: check_finite, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_numerics_stiff_step, only: stages, stiff_step, weights
     implicit none (type, external)
     private
-    public :: rate_state_t, account, break_edge, force_rate, note_force, note_lowest
+    public :: rate_state_t, account, break_edge, check_state, force_rate, note_force, note_lowest, sign_state
 
     !> C's struct mdr_rate_state: a datum from which a history continues. All zero: apart, and nothing has happened yet.
     type, bind(C) :: rate_state_t
@@ -27,12 +29,90 @@ module mdrcontact_adhesion_rate_state
         real(c_double) :: rupture_time = 0.0_c_double, rupture_depth = 0.0_c_double
         !> how often it broke
         real(c_double) :: ruptures = 0.0_c_double
+        !> F [modulus length^2]
+        real(c_double) :: force = 0.0_c_double
+        !> checksum of the other members and of the law of the speed; 0 where no history has left the state
+        real(c_double) :: mark = 0.0_c_double
     end type rate_state_t
+
+    !> Relative deviation of forces of one contact, whose samples have other places where its largest radius is another one.
+    real(wp), parameter :: same = 1.0e-6_wp
 
     integer, parameter :: most_steps = 60
     real(wp), parameter :: last_step = 1.0e-13_wp
 
 contains
+
+    !> Writes the mark of a state that a history leaves.
+    pure subroutine sign_state(state, contact)
+        type(rate_state_t), intent(inout) :: state
+        type(rate_contact_t), intent(in) :: contact
+
+        state%mark = mark_for(state, contact)
+    end subroutine sign_state
+
+    pure function mark_for(state, contact) result(mark)
+        type(rate_state_t), intent(in) :: state
+        type(rate_contact_t), intent(in) :: contact
+        real(wp) :: mark, speed, unused
+
+        associate (law => contact%law)
+            call law%speed_at(1.5_wp*law%work, speed, unused)
+            mark = mark_of([members(state), &
+                            coarse([law%work, law%closing_work, law%speed, law%closing_speed, law%exponent, &
+                                    law%closing_exponent, law%crack_scale, law%zone(), speed])])
+        end associate
+    end function mark_for
+
+    !> All but the mark.
+    pure function members(state) result(values)
+        type(rate_state_t), intent(in) :: state
+        real(wp) :: values(13)
+
+        values = [state%radius, state%depth, state%dissipated, state%work, state%lowest_force, state%lowest_time, &
+                  state%lowest_depth, state%lowest_radius, state%lowest_speed, state%rupture_time, state%rupture_depth, &
+                  state%ruptures, state%force]
+    end function members
+
+    !> Raises unless a state is one that a history of this contact left, or only a radius.
+    subroutine check_state(state, contact, error)
+        type(rate_state_t), intent(in) :: state
+        type(rate_contact_t), intent(in) :: contact
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: values(13)
+        integer :: i
+
+        values = members(state)
+        call check_finite(error, "radius", values(1))
+        if (state%mark == 0.0_wp .and. all(values(2:) == 0.0_wp)) return
+        do i = 2, size(values)
+            call check_finite(error, "start", values(i))
+        end do
+        if (allocated(error)) return
+        if (.not. abs(state%mark - mark_for(state, contact)) <= 0.0_wp) then
+            call raise(error, error_invalid, " = "//to_text(real(state%mark, wp))//": the state is not as a history with this "// &
+                       "work of adhesion left it. Give such a state unchanged, or a radius only", "mark")
+        else if (.not. (is_of(contact, values(1), values(2), values(13)) .and. &
+                        is_of(contact, values(8), values(7), values(5)))) then
+            call raise(error, error_invalid, " = "//to_text(values(2))//": this contact has another force at this depth and "// &
+                       "radius. Give a state of the same contact", "depth")
+        end if
+    end subroutine check_state
+
+    !> Whether a contact has a force at a radius and a depth; also where the radius is 0, or beyond the samples.
+    pure function is_of(contact, radius, depth, force) result(answer)
+        type(rate_contact_t), intent(in) :: contact
+        real(wp), intent(in) :: radius, depth, force
+        logical :: answer
+        real(wp) :: x, p(4), dp(4)
+
+        answer = .true.
+        if (.not. radius > 0.0_wp) return
+        x = contact%coordinate_of(radius)
+        if (x < contact%first .or. x > contact%last) return
+        call contact%curve%parts(x, p, dp)
+        answer = abs(p(2) - p(3)*(p(1) - depth) - force) <= same*(abs(p(2)) + abs(p(3))*(abs(p(1)) + abs(depth)))
+    end function is_of
 
     !> Adds work and loss of a step that begins at time t of the equation.
     pure subroutine account(state, equation, t, h, reached, slopes, places)
