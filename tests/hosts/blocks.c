@@ -4,18 +4,10 @@
  * within its bounds, which the sanitizers watch.
  */
 #include "../c/check.h"
+#include "forge.h"
 #include "mdrcontact_law.h"
 
 enum { FORGED = 20000, DEPTHS = 9 };
-
-static unsigned long long seed = 88172645463325252ULL;
-
-static unsigned long long draw(void)
-{
-    seed ^= seed << 13;
-    seed ^= seed >> 7;
-    return seed ^= seed << 17;
-}
 
 static double wild(double was)
 {

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A host that restores histories of wear from numbers that are not theirs: of other contacts, all refused, and altered ones, which are
- * refused, or continue to finite states within their time.
+ * A host that restores histories of wear from numbers that are not theirs: of other contacts and altered ones, all refused, and
+ * forged ones with their checksum, which are refused, or continue to finite states within their time.
  */
 #include "../c/check.h"
+#include "forge.h"
 #include "mdrcontact/wear.h"
 
 #include <time.h>
@@ -45,7 +46,7 @@ static mdr_wear_history *new_history(int which, int scheme)
 
 static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; }
 
-/* What follows from altered numbers: a refusal, or a state soon. */
+/* What follows from an altered number: a refusal; and with the checksum: a refusal, or a state soon. */
 static void try_altered(mdr_wear_history *h, int count, int place, double value, int *refused)
 {
     const double sliding = 0.1, force = 0.25, begin = seconds();
@@ -53,6 +54,8 @@ static void try_altered(mdr_wear_history *h, int count, int place, double value,
 
     memcpy(numbers, saved, sizeof numbers);
     numbers[place] = value;
+    CHECK_STATUS(mdr_wear_history_restore(h, count, numbers), MDR_EINVALID, "numbers: they");
+    if (place < count - 1) numbers[count - 1] = mark_of(numbers, (size_t)count - 1);
     if (mdr_wear_history_restore(h, count, numbers) != MDR_SUCCESS) {
         ++*refused;
         return;
@@ -69,7 +72,7 @@ static void run(int scheme)
     const double sliding[2] = {0.2, 0.5}, force[2] = {0.2, 0.3};
     mdr_wear_history *first = new_history(0, scheme), *h = new_history(0, scheme);
     mdr_wear_state states[2];
-    int count = 0, tried = 0, refused = 0;
+    int count = 0, tried = 0, refused = 0, unused = 0;
 
     CHECK_SUCCESS(mdr_wear_history_advance(first, MDR_FORCE, 2, sliding, force, states));
     CHECK_SUCCESS(mdr_wear_history_save(first, MOST, saved, &count));
@@ -89,8 +92,10 @@ static void run(int scheme)
             tried++;
             try_altered(h, count, place, altered[i], &refused);
         }
+        if (place > 0 && saved[place - 1] != saved[place]) try_altered(h, count, place, saved[place - 1], &unused);
+        try_altered(h, count, place, NAN, &unused);
     }
-    printf("saved: %d of %d altered pasts refused\n", refused, tried);
+    printf("saved: %d of %d pasts with a valid checksum refused\n", refused, tried);
     CHECK_TRUE(refused > 0.8 * tried);
     CHECK_FREE(first);
     CHECK_FREE(h);

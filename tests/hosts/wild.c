@@ -4,33 +4,13 @@
  * numbers for every argument of some functions. Each is refused, or gives numbers; none ends the program.
  */
 #include "../c/check.h"
-
-#include <stdint.h>
+#include "forge.h"
 
 enum { FILES = 7000, RECORDS = 20000, CHECKSUM_LINE = 15, MOST_RECORD = 300, WORD = 17 };
 
 static const double wild_numbers[] = {0.0, -0.0, -1.0, 1e-320, 1e-300, 1e300, -1e300, 1.7976931348623157e308, 1e155, 4503599627370497.0,
                                       2147483648.0, 0.5, INFINITY, -INFINITY, NAN};
 enum { WILD = sizeof wild_numbers / sizeof *wild_numbers };
-
-static unsigned long long seed = 88172645463325252ULL;
-
-static unsigned long long draw(void)
-{
-    seed ^= seed << 13;
-    seed ^= seed >> 7;
-    return seed ^= seed << 17;
-}
-
-static uint32_t crc32_of(const char *bytes, size_t size)
-{
-    uint32_t crc = 0xffffffffu;
-    for (size_t i = 0; i < size; i++) {
-        crc ^= (uint8_t)bytes[i];
-        for (int j = 0; j < 8; j++) crc = crc >> 1 ^ (crc & 1u ? 0xedb88320u : 0u);
-    }
-    return ~crc;
-}
 
 static mdr_law *new_law(double gamma, double mu)
 {

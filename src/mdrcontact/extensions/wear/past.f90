@@ -2,12 +2,13 @@
 !> The past of a worn contact as numbers, and whether numbers are a past: of this contact, and one that wear leaves.
 !>
 !> Numbers of another contact differ in the first state under load, that is its depth, radius, force and stiffness, in heights of
-!> the indenter around it, or in wear coefficients. Altered numbers violate what holds in each state (theory/wear.md (5.2)): the
-!> force is the integral of the pressure, S p + f + W is the depth at each hat in contact, and int p ds over the disc is the work
-!> of the force.
+!> the indenter around it, or in wear coefficients. Altered numbers differ from their checksum, the last number. Numbers that were
+!> forged with their checksum violate what holds in each state (theory/wear.md (5.2)): the force is the integral of the pressure,
+!> S p + f + W is the depth at each hat in contact, and int p ds over the disc is the work of the force.
 module mdrcontact_wear_past
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_crc32, only: mark_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_nonfinite, only: is_finite
@@ -26,8 +27,8 @@ module mdrcontact_wear_past
     integer, parameter :: saved_numbers = 7, saved_of_disc = 6
     !> Relative deviation of two contacts that are the same: the same numbers on another machine.
     real(wp), parameter :: same = 1.0e-6_wp
-    !> Relative residual of a sum of products. Those of the schemes are up to 0.4 of the depth and 0.4 of the work, with 16
-    !> intervals under a flat end or an edge; these limits reject only numbers of another order of magnitude.
+    !> Relative residual of a sum of products. The schemes have up to 0.4 of the depth and 0.4 of the work, with 16 intervals
+    !> under a flat end or an edge; these limits reject only numbers of another order of magnitude.
     real(wp), parameter :: rounding = 1.0e-6_wp, of_depth = 1.0_wp, of_work = 0.75_wp
     !> Pressures and loads below minus so many times the mean pressure and the largest load are not errors of the hats, which
     !> overshoot where a coating or a flat end ends: by 6 and 0.07.
@@ -94,7 +95,7 @@ contains
         type(hats_t), intent(in) :: hats(2)
         integer :: count
 
-        count = saved_numbers + marks + 2*(hats(1)%n + hats(2)%n + saved_of_disc + 2)
+        count = saved_numbers + marks + 2*(hats(1)%n + hats(2)%n + saved_of_disc + 2) + 1
     end function past_size
 
     !> The past as numbers.
@@ -119,6 +120,7 @@ contains
                 at = at + 2*n
             end associate
         end do
+        numbers(at + 1) = mark_of(numbers(:at))
     end subroutine save_past
 
     !> The past in saved numbers; raises unless they are a past of what wears.
@@ -139,6 +141,11 @@ contains
         if (any(abs(numbers([1, saved_numbers]) - [real(of%hats(2)%n, wp), merge(1.0_wp, 0.0_wp, of%has_rings)]) > 0.0_wp)) then
             call raise(error, error_invalid, "numbers: they do not belong to a history of this contact. Their intervals or "// &
                        "their scheme differ")
+            return
+        end if
+        at = size(numbers) - 1
+        if (abs(numbers(at + 1) - mark_of(numbers(:at))) > 0.0_wp) then
+            call raise(error, error_invalid, "numbers: they are not as they were saved. Their checksum differs")
             return
         end if
         past%sliding = numbers(2)
