@@ -424,14 +424,15 @@ MDR_INLINE int mdr_plastic_move(const mdr_plastic_view *view, double d, mdr_plas
     return MDR_SUCCESS;
 }
 
-/* A contact with adhesion, by its memory: the largest depth, negative while the contact is closed, and what jumps have lost. */
+/* A contact with adhesion, by its memory: the largest depth, negative while the contact is closed, and what jumps have lost, which
+ * no contact exceeds. */
 MDR_INLINE int mdr_plastic_follow_sticky(const mdr_plastic_view *view, const double memory[2], double d, mdr_plastic_sticky *contact)
 {
     contact->deepest = fabs(memory[0]);
     contact->closed = memory[0] < 0.0;
     contact->lost = memory[1];
     contact->s = 0.0;
-    if (!(d <= DBL_MAX && d >= -DBL_MAX && contact->deepest <= view->highest && contact->lost >= 0.0 && contact->lost <= DBL_MAX)) {
+    if (!(d <= DBL_MAX && d >= -DBL_MAX && contact->deepest <= view->highest && contact->lost >= 0.0 && contact->lost <= 1e150)) {
         return MDR_EINVALID;
     }
     if (!contact->closed) {

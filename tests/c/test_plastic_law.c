@@ -137,6 +137,10 @@ static void test_inline(double gamma)
     CHECK_INT(mdr_plastic_view_advance(&view, 1.0, ours, &F, &slope), MDR_EDOMAIN);
     CHECK_TRUE(isnan(F) && isnan(slope) && ours[0] == before);
     CHECK_INT(mdr_plastic_view_advance(&view, (double)NAN, ours, &F, &slope), MDR_EINVALID);
+    if (facts.memory_size == 2) {
+        const double much[2] = {0.0, 1.6e155}, d = 0.5 * facts.largest_depth;
+        CHECK_INT(mdr_plastic_law_energies(law, 1, &d, much, &stored, &lost), MDR_EINVALID);
+    }
     ours[0] = 1.0;
     CHECK_INT(mdr_plastic_view_advance(&view, 0.0, ours, &F, &slope), MDR_EINVALID);
     CHECK_FREE(law);
