@@ -82,7 +82,9 @@ def thread_count(threads: Any) -> int:
 
 def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """`values` as a contiguous array of float64 of unchanged shape; integers and shorter floats are widened."""
-    if np.ma.is_masked(values):
+    if type(values) is float:
+        return np.array(values)
+    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
         raise ArgumentTypeError(f"{name}: it has masked elements; fill or remove them first")
     try:
         array = np.asarray(values)
@@ -145,12 +147,16 @@ def evaluate_all(name: str, values: ArrayLike, function: Callable[[NDArray[np.fl
     points = numbers(name, values)
     # f2py takes no empty arrays: for them one harmless point shows how many results there are
     status, *results = function(points.ravel() if points.size else _ONE_POINT)
-    if results[0].ndim > 1:
+    is_table = results[0].ndim > 1
+    if not points.shape:
+        check(status, single=True)
+        return results[0][0].tolist() if is_table else [float(result[0]) for result in results]
+    if is_table:
         results = list(results[0].T)
     if not points.size:
         return [np.empty(points.shape) for _ in results]
-    check(status, single=not points.shape)
-    return [result.reshape(points.shape) if points.shape else float(result[0]) for result in results]
+    check(status)
+    return [result.reshape(points.shape) for result in results]
 
 
 def complex_values(name: str, values: ArrayLike, function: Callable[[NDArray[np.float64]], Any]) -> ComplexOrArray:
@@ -262,7 +268,12 @@ def _holding(function: Callable[..., Any], places: tuple[int, ...]) -> Callable[
         given = list(arguments)
         for place in places:
             value = given[place]
-            given[place] = [_address(one) for one in value] if isinstance(value, list) else _address(value)
+            if type(value) is Handle:
+                given[place] = value._address
+            elif value is None:
+                given[place] = 0
+            else:
+                given[place] = [_address(one) for one in value] if isinstance(value, list) else _address(value)
         return function(*given)
 
     return held

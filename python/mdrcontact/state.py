@@ -524,12 +524,21 @@ class States(State):
 
 NAMES = tuple(field.name for field in fields(State))
 """The numbers of a state, in their order."""
+_ONE = {float}
 
 
 def state_of(numbers: Iterable[Any], contact: Any) -> State:
     """One state from its numbers, or several."""
-    values = tuple(numbers)
-    is_one = all(type(value) is float or not np.shape(value) for value in values)
+    depth, radius, force, stiffness, punch_depth, zone_radius = values = tuple(numbers)
+    is_one = {*map(type, values)} == _ONE or not any(map(np.shape, values))
     found: State = object.__new__(State if is_one else States)
-    found.__dict__.update(zip(NAMES, values, strict=True), contact=contact)
+    found.__dict__.update(
+        depth=depth,
+        radius=radius,
+        force=force,
+        stiffness=stiffness,
+        punch_depth=punch_depth,
+        zone_radius=zone_radius,
+        contact=contact,
+    )
     return found
