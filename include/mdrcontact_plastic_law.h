@@ -102,6 +102,20 @@ MDR_INLINE int mdr_plastic_view_at(const double *buffer, const double *there, md
     return MDR_SUCCESS;
 }
 
+/** Check whether a block is sound: the inline functions read no address outside it, at any depth and memory, and end. Views trust
+ *  their block; check those of files, messages and shared memory that another program may have written. The check does not tell
+ *  whether the law is that of a contact. It is a function of the library. It does not set mdr_last_error().
+ *  @param buffer  the block, aligned to 8 bytes
+ *  @param bytes   its size
+ *  @return MDR_SUCCESS, MDR_ENULL, or MDR_EINVALID for a block that is not sound
+ *  @code
+ *  double block[20000];
+ *  mdr_plastic_law_buffer(plastic_law, 20000, block);
+ *  status = mdr_plastic_law_check(block, sizeof block);
+ *  @endcode
+ */
+int mdr_plastic_law_check(const double buffer[], size_t bytes);
+
 /* The panel beyond yield that holds d, the place t in it and dt/dd. */
 MDR_INLINE size_t mdr_plastic_panel(const mdr_plastic_view *view, double d, double *t, double *rate)
 {

@@ -5,7 +5,12 @@
  */
 #include "../c/check.h"
 #include "forge.h"
+#include "mdrcontact/all.h"
+#ifdef MDRCONTACT_PLASTIC_H
+#include "mdrcontact_plastic_law.h"
+#else
 #include "mdrcontact_law.h"
+#endif
 
 enum { FORGED = 20000, DEPTHS = 9 };
 
@@ -73,6 +78,83 @@ static void forge(mdr_law *law)
     free(block);
 }
 
+#ifdef MDRCONTACT_PLASTIC_H
+static void evaluate_plastic(const double *block, double highest)
+{
+    mdr_plastic_view view;
+    if (mdr_plastic_view_at(block, block, &view) != MDR_SUCCESS) return;
+    for (int i = -2; i < DEPTHS; i++) {
+        const double d = highest * i / (DEPTHS - 2), memories[3][2] = {{0.0, 0.0}, {0.9 * highest, 0.0}, {-0.9 * highest, wild(0.0)}};
+        for (int k = 0; k < 3; k++) {
+            double memory[2] = {memories[k][0], memories[k][1]}, F, slope, stored, lost;
+            mdr_plastic_point point;
+            mdr_plastic_view_energies(&view, d, memory, &stored, &lost);
+            mdr_plastic_view_try(&view, d, memory, NULL, &point);
+            mdr_plastic_view_advance(&view, d, memory, &F, &slope);
+        }
+    }
+}
+
+/* Of the rows only the places matter: the head is forged, the ends of panels, and the elastic law. */
+static void forge_plastic(mdr_plastic_law *law)
+{
+    mdr_plastic_law_facts facts = MDR_SIZED(mdr_plastic_law_facts);
+    int refused = 0, sound = 0;
+
+    CHECK_SUCCESS(mdr_plastic_law_about(law, &facts));
+    const size_t size = (size_t)facts.buffer_size, bytes = size * sizeof(double), head = sizeof(mdr_plastic_head) / sizeof(double);
+    double *whole = malloc(bytes), *block = malloc(bytes);
+    CHECK_SUCCESS(mdr_plastic_law_buffer(law, facts.buffer_size, whole));
+    CHECK_INT(mdr_plastic_law_check(whole, bytes), MDR_SUCCESS);
+    CHECK_INT(mdr_plastic_law_check(whole, bytes - 8), MDR_EINVALID);
+    CHECK_INT(mdr_plastic_law_check(NULL, bytes), MDR_ENULL);
+    CHECK_INT(mdr_plastic_law_check(whole, 0), MDR_EINVALID);
+    for (int i = 0; i < FORGED; i++) {
+        memcpy(block, whole, bytes);
+        for (unsigned long long j = 0; j <= draw() % 3; j++) {
+            const size_t k = (size_t)(draw() % (draw() % 4 ? head : size));
+            block[k] = wild(block[k]);
+        }
+        if (mdr_plastic_law_check(block, bytes) != MDR_SUCCESS) {
+            refused++;
+            continue;
+        }
+        sound++;
+        evaluate_plastic(block, facts.largest_depth);
+    }
+    CHECK_TRUE(refused > FORGED / 4 && sound > 0);
+    free(whole);
+    free(block);
+}
+
+static void forge_plastic_laws(void)
+{
+    const double strain = 0.0, Y = 5e-3, E = 1.0;
+    const double d[4] = {1e-3, 4e-3, 9e-3, 12e-3}, F[4] = {1e-6, 6e-6, 15e-6, 20e-6}, a[4] = {3e-2, 7e-2, 11e-2, 13e-2};
+    mdr_plastic_law_options options = MDR_SIZED(mdr_plastic_law_options);
+    mdr_profile *ball = NULL;
+    mdr_yielding *metal = NULL;
+
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
+    CHECK_SUCCESS(mdr_yielding_new(E, 0.3, 1, &strain, &Y, &metal));
+    for (int i = 0; i < 3; i++) {
+        mdr_plastic_law *law = NULL;
+        options.work_of_adhesion = i == 1 ? 1e-8 : 0.0;
+        options.tolerance = 1e-5;
+        if (i == 2) {
+            const double left[4] = {0.0, 1.3e-3, 4.5e-3, 7e-3};
+            CHECK_SUCCESS(mdr_plastic_law_from_points(4, d, F, a, left, 0.02, &options, &law));
+        } else {
+            CHECK_SUCCESS(mdr_plastic_law_new(ball, metal, 1e-2, &options, &law));
+        }
+        if (law) forge_plastic(law);
+        CHECK_FREE(law);
+    }
+    CHECK_FREE(metal);
+    CHECK_FREE(ball);
+}
+#endif
+
 int main(void)
 {
     const mdr_layer soft = mdr_isotropic(1.0, 0.3, 0.0);
@@ -97,5 +179,8 @@ int main(void)
     CHECK_FREE(medium);
     CHECK_FREE(body);
     CHECK_FREE(ball);
+#ifdef MDRCONTACT_PLASTIC_H
+    forge_plastic_laws();
+#endif
     return check_report("blocks");
 }

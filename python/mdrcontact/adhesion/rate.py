@@ -46,9 +46,8 @@ class _RateHistoryNumbers(NamedTuple):
     work: NDArray[np.float64]
     """int F dd so far [modulus length^3]"""
     end: dict[str, float]
-    """state at the last time, from which a history continues (`start=`): "radius", "depth", "force", "dissipated", "work"; pull-off
-    as
-    "lowest_force", "lowest_time", "lowest_depth", "lowest_radius", "lowest_speed"; the last rupture: "rupture_time",
+    """state at the last time, from which a history continues (`start=`): "radius", "depth", "force", "dissipated", "work";
+    pull-off: "lowest_force", "lowest_time", "lowest_depth", "lowest_radius", "lowest_speed"; the last rupture: "rupture_time",
     "rupture_depth"; their number "ruptures"; the checksum "mark" of all these numbers and of the law
     """
 
