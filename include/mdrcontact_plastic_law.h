@@ -21,7 +21,7 @@ extern "C" {
 #endif
 
 /** First number of the buffer of a plastic law. */
-#define MDR_PLASTIC_FORMAT 1296843601.0
+#define MDR_PLASTIC_FORMAT 1296843602.0
 
 /** Head of the buffer of a plastic law. Counts and places are also doubles. Places are indices from the beginning of the buffer. */
 typedef struct mdr_plastic_head {
@@ -41,6 +41,7 @@ typedef struct mdr_plastic_head {
     double modulus; /**< E* [modulus]. */
     double line;    /**< 2 pi gamma/E*, gamma the work of adhesion [length]; 0 without adhesion. */
     double radius;  /**< a^2/d of the elastic contact [length]. */
+    double touch;   /**< With adhesion, largest depth without it of a contact that has just closed; else 0 [length]. */
 } mdr_plastic_head;
 
 /** A view of a plastic law, read by the inline functions. Its members are private. */
@@ -54,7 +55,7 @@ typedef struct mdr_plastic_view {
     const double *tension; /**< [8] for each panel, or NULL. */
     double modulus, line;  /**< See mdr_plastic_head. */
     double hertz;          /**< 3/(4 E*) [1/modulus]. */
-    double radius;         /**< See mdr_plastic_head [length]. */
+    double radius, touch;  /**< See mdr_plastic_head [length]. */
     int panels;            /**< Number of panels. */
 } mdr_plastic_view;
 
@@ -98,6 +99,7 @@ MDR_INLINE int mdr_plastic_view_at(const double *buffer, const double *there, md
     view->hertz = 0.75 / head->modulus;
     view->line = head->line;
     view->radius = head->radius;
+    view->touch = head->touch;
     view->panels = (int)head->panels;
     return MDR_SUCCESS;
 }
@@ -310,8 +312,7 @@ MDR_INLINE double mdr_plastic_pull(const mdr_plastic_view *view, double a)
  * the largest depth. */
 MDR_INLINE double mdr_plastic_arrive(const mdr_plastic_view *view, double deepest, double d)
 {
-    const double touch = cbrt(view->line * view->line * view->radius); /* where an elastic contact closes */
-    double low = deepest > touch ? deepest : touch, high = view->highest, x = low, F, slope, a, widening;
+    double low = deepest > view->touch ? deepest : view->touch, high = view->highest, x = low, F, slope, a, widening;
     if (!(high > low)) return high == low ? low : (double)NAN;
     mdr_plastic_virgin(view, high, &F, &slope, &a, &widening);
     if (high - mdr_plastic_pull(view, a) < d) return (double)NAN;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact_law.h` by itself: every compiler that is here makes of it the bits of the library, or code of a device."""
+"""The inline headers by themselves: every compiler that is here makes of them the bits of the library, or code of a device."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ import pytest
 from conftest import ROOT, run
 
 import mdrcontact as mdr
+from mdrcontact.plastic import PlasticLaw, Yielding
 
 HEADERS = ROOT / "tests" / "headers"
 # a*b + c must stay two operations, where the processor has one for them too
@@ -74,13 +75,46 @@ def test_bits_of_the_library(name, branch, law, tmp_path):
     assert found.tobytes() == np.stack(columns, axis=1).tobytes()
 
 
+PLASTIC = {
+    "perfect": {"yield_stress": 1e-4},
+    "hardening": {"hardening": [(0.0, 1e-4), (1e-4, 1.5e-4)]},
+}
+
+
+@pytest.mark.parametrize("name", HOSTS)
+@pytest.mark.parametrize(("metal", "gamma"), [("perfect", 0.0), ("hardening", 0.0), ("perfect", 1e-13)])
+def test_bits_of_plastic_laws(name, metal, gamma, tmp_path):
+    compiler, *options = HOSTS[name]
+    if not shutil.which(compiler) or not has_fma():
+        pytest.skip(f"{compiler} is not installed, or the processor has no fused multiplication")
+    program = tmp_path / "plastic_points"
+    run([compiler, *options, *STRICT, HEADERS / "plastic_points.c", "-o", program, "-lm"], tmp_path)
+    law = PlasticLaw(mdr.Paraboloid(1.0), Yielding(mdr.Elastic(1.0, 0.3), **PLASTIC[metal]), 1e-5, work_of_adhesion=gamma)
+    rng = np.random.default_rng(3)
+    memory = law.contacts(5000)
+    law.advance(memory, law.largest_depth * rng.uniform(-0.1, 1.0, 5000) ** 3)
+    d = law.largest_depth * rng.uniform(-0.1, 1.0, 5000) ** 3
+    for values, file in ((law.buffer(), "buffer"), (memory, "memories"), (d, "depths")):
+        values.tofile(tmp_path / file)
+    run([program, "buffer", "memories", "depths", "out"], tmp_path)
+    found = np.fromfile(tmp_path / "out").reshape(-1, 7)
+    stored, lost = law.energies(memory, d)
+    step = law.advance(memory, d)
+    second = memory[:, 1] if gamma else np.zeros(5000)
+    columns = (step.force, step.stiffness, step.radius, memory[:, 0], second, stored, lost)
+    assert found.tobytes() == np.stack(columns, axis=1).tobytes()
+
+
 def nvcc():
     """NVIDIA's compiler in the path, or as pip installs it."""
     of_pip = [place / "nvidia" for place in map(Path, sys.path) if (place / "nvidia").is_dir()]
     return shutil.which("nvcc") or next((str(path) for place in of_pip for path in place.glob("cu*/bin/nvcc")), None)
 
 
-@pytest.mark.parametrize("source", [HEADERS / "law_kernel.cu", ROOT / "benchmarks" / "law_device.cu"], ids=lambda path: path.stem)
+KERNELS = (HEADERS / "law_kernel.cu", HEADERS / "plastic_kernel.cu", ROOT / "benchmarks" / "law_device.cu")
+
+
+@pytest.mark.parametrize("source", KERNELS, ids=lambda path: path.stem)
 def test_cuda(source, tmp_path):
     if not nvcc():
         pytest.skip("nvcc is not installed; pip has it as nvidia-cuda-nvcc, nvidia-cuda-runtime, nvidia-nvvm, nvidia-cuda-crt")
@@ -90,12 +124,25 @@ def test_cuda(source, tmp_path):
     assert not re.search(r"fma\.rn\.f64|\.local|call", code), "the kernel contracts, spills, or calls what is not inline"
 
 
-def test_hip(tmp_path):
+@pytest.mark.parametrize("name", ["law_kernel", "plastic_kernel"])
+def test_words_of_cuda(name, tmp_path):
+    """Without a compiler for devices: each function has CUDA's words, and the kernel is C++."""
+    if not shutil.which("g++"):
+        pytest.skip("g++ is not installed")
+    options = ["-x", "c++", "-std=c++11", "-fsyntax-only", *STRICT, "-include", HEADERS / "cuda_words.h"]
+    run(["g++", *options, HEADERS / f"{name}.cu"], tmp_path)
+    for header in ("mdrcontact_law.h", "mdrcontact_plastic_law.h"):
+        text = (ROOT / "include" / header).read_text(encoding="utf-8")
+        assert not re.search(r"^(?!MDR_INLINE|typedef|int mdr_law_(check|view_of))\w[^;={]*\)\s*\n?\{", text, re.MULTILINE)
+
+
+@pytest.mark.parametrize("kernel", ["law_kernel", "plastic_kernel"])
+def test_hip(kernel, tmp_path):
     if not shutil.which("clang++"):
         pytest.skip("clang++ is not installed")
     options = ["-x", "hip", "--cuda-device-only", "-nogpulib", "-nogpuinc", "--offload-arch=gfx90a", "-O2", "-ffp-contract=off"]
     run(["clang++", *options, "-include", HEADERS / "hip_words.h", f"-I{ROOT / 'include'}", "-S", "-emit-llvm",
-         HEADERS / "law_kernel.cu", "-o", "law.ll"], tmp_path)  # fmt: skip
+         HEADERS / f"{kernel}.cu", "-o", "law.ll"], tmp_path)  # fmt: skip
     code = (tmp_path / "law.ll").read_text()
     assert "amdgpu_kernel" in code and "fmul double" in code
     assert not re.search(r"llvm\.fma|fmuladd|call (?!.*@(llvm|memcpy|sqrt))", code), (

@@ -14,7 +14,7 @@ from ..plastic import PlasticLaw
 from ._generic import Branch, _polynomial
 
 HEAD = ("format", "size", "elastic", "yield", "highest", "scale", "offset", "bits", "panels", "edges", "rows", "energy", "tension",
-        "modulus", "line", "radius")  # fmt: skip
+        "modulus", "line", "radius", "touch")  # fmt: skip
 """Members of mdr_plastic_head."""
 
 

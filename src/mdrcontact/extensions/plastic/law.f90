@@ -24,7 +24,8 @@ module mdrcontact_plastic_law
         type(law_view_t) :: elastic, virgin
         real(c_double) :: yield = 0.0_c_double, highest = 0.0_c_double
         type(c_ptr) :: edges = c_null_ptr, rows = c_null_ptr, energy = c_null_ptr, tension = c_null_ptr
-        real(c_double) :: modulus = 0.0_c_double, line = 0.0_c_double, hertz = 0.0_c_double, radius = 0.0_c_double
+        real(c_double) :: modulus = 0.0_c_double, line = 0.0_c_double, hertz = 0.0_c_double, radius = 0.0_c_double, &
+                          touch = 0.0_c_double
         integer(c_int) :: panels = 0_c_int
     end type plastic_view_t
 

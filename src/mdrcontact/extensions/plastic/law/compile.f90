@@ -24,9 +24,9 @@ module mdrcontact_plastic_law_compile
     real(wp), parameter :: default_tolerance = 1.0e-9_wp, smallest_tolerance = 1.0e-11_wp, largest_tolerance = 1.0e-2_wp
     !> Share of the tolerance that polynomials take.
     real(wp), parameter :: fit_share = 0.3_wp
-    !> First number of the buffer, and numbers of its head: struct mdr_plastic_head.
-    real(wp), parameter :: format = 1296843601.0_wp
-    integer, parameter :: head_size = 16
+    !> First number of the buffer, and numbers of its head, struct mdr_plastic_head, before the next row.
+    real(wp), parameter :: format = 1296843602.0_wp
+    integer, parameter :: head_size = 17
     !> Columns of a panel, F, a and a A2/E* of the imprint; numbers for each power, the last of which is 0.
     integer, parameter :: columns = 3, width = 4, row = coefficient_count
     !> Length of the first panel over the yield depth, and the most bits that number a panel.
@@ -238,7 +238,7 @@ contains
         real(wp) :: y(2), unit, work, taken
 
         n = size(panels%c, 3)
-        elastic = head_size
+        elastic = next_row(head_size)
         ends = next_row(elastic + packed_size(law%elastic))
         rows = next_row(ends + merge(0, n + 1, panels%by_bits))
         energy = rows + width*row*n
@@ -250,7 +250,8 @@ contains
         law%buffer(:head_size) = [format, real(count, wp), real(elastic, wp), loading%first, highest, panels%interval%scale, &
                                   panels%interval%offset, real(panels%interval%bits, wp), real(n, wp), &
                                   real(merge(0, ends, panels%by_bits), wp), real(rows, wp), real(energy, wp), &
-                                  real(merge(tension, 0, line > 0.0_wp), wp), law%modulus, line, elastic_radius(law, loading)]
+                                  real(merge(tension, 0, line > 0.0_wp), wp), law%modulus, line, elastic_radius(law, loading), &
+                                  (line**2*elastic_radius(law, loading))**(1.0_wp/3.0_wp)]
         call pack_table(law%elastic, law%buffer(elastic + 1:elastic + packed_size(law%elastic)))
         if (.not. panels%by_bits) law%buffer(ends + 1:ends + n + 1) = panels%ends
         work = energy_at(law%elastic, interval_for(law%elastic, on_unloading, min(loading%first, law%elastic%highest)), &
