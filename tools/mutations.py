@@ -425,5 +425,6 @@ MUTATIONS = [
     ("extensions/conduction/inside.f90", "if (depths(j)%layer /= layer) call find_amplitudes",
      "if (layer == 0) call find_amplitudes", "test_conduction.py"),
     ("extensions/conduction/inside.f90", "hat(first:last), parts", "hat, parts", "test_conduction.py"),
+    ("python:plastic/law.py", "if not self.residual_depth:", "if False:", "test_plastic_law.py"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""

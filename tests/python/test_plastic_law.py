@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
-from mdrcontact.plastic import PlasticLaw, Yielding, yield_stress_from_hardness
+from mdrcontact.plastic import Imprint, PlasticLaw, Yielding, yield_stress_from_hardness
 
 DATA = Path(__file__).parents[1] / "data"
 E, R, SMALL = 1.0, 1.0, 1e-5
@@ -218,6 +218,37 @@ def test_unloading_is_the_contact_of_the_two_terms():
         assert step.radius[0] == pytest.approx(u * A, rel=1e-9)
         stored, _ = law.energies(memory, [depth])
         assert stored[0] == pytest.approx(np.sum(weight * q**2) / law.modulus, rel=1e-8, abs=1e-14 * state.work)
+
+
+def test_imprint_of_a_state():
+    ball, metal = mdr.Paraboloid(R), Yielding(mdr.Elastic(E, 0.3), yield_stress=1e-4)
+    for other in (None, mdr.Elastic(2.0, 0.2), metal):
+        law = PlasticLaw(ball, metal, 1e-6, other=other)
+        for made in (law, law.with_radius(3.0 * R)):
+            depth = 0.8 * made.largest_depth
+            state = made.loading(depth)
+            left = Imprint.from_state(state)
+            assert (left.radius, left.force, left.depth) == pytest.approx((state.radius, state.force, depth), rel=1e-12)
+            assert left.residual_depth == pytest.approx(state.residual_depth, rel=1e-12)
+            memory = made.contacts(1)
+            made.advance(memory, [depth])
+            unloaded = depth - 0.4 * left.recovery
+            assert left.contact().at_depth(unloaded - left.residual_depth).force == pytest.approx(
+                made.try_(memory, [unloaded]).force[0], rel=1e-9
+            )
+            assert left.recovered_work == pytest.approx(made.energies(memory, [depth])[0][0], rel=1e-9)
+    again = pickle.loads(pickle.dumps(state))
+    assert again == state and again.imprint() == state.imprint()
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="needs one state"):
+        law.loading([1e-7, 2e-7]).imprint()
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="nothing has yielded"):
+        law.loading(0.5 * law.yield_depth).imprint()
+    sticky = PlasticLaw(ball, metal, 1e-6, work_of_adhesion=1e-13)
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="without adhesion"):
+        Imprint.from_state(sticky.loading(1e-6))
+    table = PlasticLaw.from_table([1e-9, 4e-9, 9e-9], [1e-6, 6e-6, 15e-6], [3e-8, 7e-8, 11e-8], [0.0, 1.3e-9, 4.5e-9], modulus=20e9)
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="the body of a law of a table"):
+        table.loading(8e-9).imprint()
 
 
 def gauss(law, memory, start, end):

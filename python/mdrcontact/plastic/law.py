@@ -24,9 +24,13 @@ from .._boundary import (
     whole,
 )
 from .._warn import Caution, texts_of, warn_all
-from ..errors import ArgumentTypeError, LargeStrainWarning
+from ..errors import ArgumentTypeError, InvalidArgumentError, LargeStrainWarning
 from ..material import Elastic
+from ..medium.base import Medium
+from ..medium.homogeneous import Homogeneous
+from ..medium.pair import Pair
 from ..profile.base import Profile
+from .imprint import Imprint
 from .yielding import Yielding
 
 Reals = NDArray[np.float64]
@@ -62,7 +66,20 @@ class PlasticStep(NamedTuple):
     """a, contact radius [length]"""
 
 
-class FirstLoading(NamedTuple):
+class _FirstLoadingNumbers(NamedTuple):
+    """The numbers of a `FirstLoading`."""
+
+    force: FloatOrArray
+    """F, normal force [modulus length^2]"""
+    radius: FloatOrArray
+    """a, contact radius [length]"""
+    residual_depth: FloatOrArray
+    """depth at which the contact opens on unloading without adhesion [length]"""
+    work: FloatOrArray
+    """int F dd [modulus length^3]"""
+
+
+class FirstLoading(_FirstLoadingNumbers):
     """States of first loading, from `PlasticLaw.loading`.
 
     Each entry has the shape of the input.
@@ -75,14 +92,33 @@ class FirstLoading(NamedTuple):
     63.70 3.075e-06
     """
 
-    force: FloatOrArray
-    """F, normal force [modulus length^2]"""
-    radius: FloatOrArray
-    """a, contact radius [length]"""
-    residual_depth: FloatOrArray
-    """depth at which the contact opens on unloading without adhesion [length]"""
-    work: FloatOrArray
-    """int F dd [modulus length^3]"""
+    _law: PlasticLaw
+    _depth: FloatOrArray
+
+    def imprint(self) -> Imprint:
+        """Return the imprint that one state leaves, as `Imprint.from_state` does.
+
+        Returns
+        -------
+        Imprint
+            The imprint on the body that yields, paired with the other one if that is not rigid.
+
+        Raises
+        ------
+        InvalidArgumentError
+            There are several states, nothing has yielded, or the law has adhesion or is that of a table.
+        """
+        if np.ndim(self.radius):
+            raise InvalidArgumentError("an imprint needs one state. Give one depth")
+        if not self.residual_depth:
+            raise InvalidArgumentError("nothing has yielded in this state: it leaves no imprint. Increase the depth")
+        if self._law.work_of_adhesion:
+            raise InvalidArgumentError(
+                f"work_of_adhesion = {self._law.work_of_adhesion:g}: the imprint is one of loading without adhesion. Take the "
+                "state from a law without it, and give the work of adhesion to `Imprint.contact`"
+            )
+        sizes = (float(number) for number in (self.radius, self.force, self.residual_depth, self._depth))
+        return Imprint(self._law._body(), *sizes)
 
 
 class PlasticLaw:
@@ -479,7 +515,22 @@ class PlasticLaw:
         DomainError
             A depth exceeds the range.
         """
-        return FirstLoading(*evaluate_all("depth", depth, lambda d: native.plastic_law_loading(self._handle, d)))
+        found = FirstLoading(*evaluate_all("depth", depth, lambda d: native.plastic_law_loading(self._handle, d)))
+        found._law, found._depth = self, np.array(depth, dtype=float) if np.ndim(depth) else float(np.asarray(depth))
+        return found
+
+    def _body(self) -> Medium:
+        """What yields, and what presses it."""
+        kind, *source = (self._source[1] if self._source[0] == "scaled" else self)._source
+        if kind == "table":
+            raise InvalidArgumentError(
+                "the body of a law of a table is not known. Create Imprint(body, radius, force, residual_depth, depth)"
+            )
+        _, metal, _, options = source
+        other = options["other"]
+        if other is None:
+            return Homogeneous(metal.elastic)
+        return Pair(metal.elastic, other.elastic if isinstance(other, Yielding) else other)
 
     def restitution(self, mass: float, speed: ArrayLike) -> FloatOrArray:
         """Return coefficients of restitution of impacts without waves.

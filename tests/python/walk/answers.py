@@ -649,10 +649,11 @@ def plastic_steps(law: Any) -> Numbers:
     return {"": np.ravel(found)}
 
 
-@answer("PlasticLaw.loading", "PlasticLaw.restitution", tolerance=1e-6)
+@answer("PlasticLaw.loading", "FirstLoading.imprint", "PlasticLaw.restitution", tolerance=1e-6)
 def plastic_loading(law: Any) -> Numbers:
     state = law.loading([1e-4, 0.016])
-    return {"": np.ravel(state), "e": law.restitution(1.0, [0.001, 0.003])}
+    left = {} if law.work_of_adhesion else _columns(law.loading(0.016).imprint(), "radius", "force", "recovery", "recovered_work")
+    return {"": np.ravel(state), "e": law.restitution(1.0, [0.001, 0.003]), **left}
 
 
 @answer("PlasticLaw.with_radius", tolerance=1e-6)
