@@ -35,6 +35,60 @@ static void grant_all_requests(void)
     largest_request = (size_t)-1;
 }
 
+#ifdef MDRCONTACT_PLASTIC_H
+typedef struct plastic {
+    mdr_yielding *metal;
+    mdr_plastic_law *law;
+    mdr_overload *rule;
+    mdr_cap *cap;
+} plastic;
+
+static void make_plastic(const mdr_profile *p, const mdr_contact *c, plastic *s)
+{
+    const double strain = 0.0, stress = 1e-2;
+
+    CHECK_SUCCESS(mdr_yielding_new(1.0, 0.3, 1, &strain, &stress, &s->metal));
+    CHECK_SUCCESS(mdr_plastic_law_new(p, s->metal, 0.01, NULL, &s->law));
+    CHECK_SUCCESS(mdr_overload_new(c, 1, &stress, &s->rule));
+    CHECK_SUCCESS(mdr_cap_new(c, 0.03, &s->cap));
+}
+
+/* Many points, and objects of many points. Memories stay as they are. */
+static void check_plastic(const mdr_medium *m, const plastic *s)
+{
+    static double memory[COUNT], more[COUNT], force[COUNT];
+    mdr_imprint *imprint = NULL;
+    mdr_yielding *metal = NULL;
+    mdr_plastic_law *law = NULL;
+    mdr_overload *rule = NULL;
+
+    for (int i = 0; i < COUNT; i++) {
+        more[i] = 1.0;
+        force[i] = 1.4 * in[i] * in[i];
+    }
+    CHECK_STATUS(mdr_imprint_from_pressure(m, COUNT, in, in, 0.0, &imprint), MDR_ENOMEMORY, "memory");
+    CHECK_STATUS(mdr_yielding_new(1.0, 0.3, COUNT, in, more, &metal), MDR_ENOMEMORY, "memory");
+    CHECK_STATUS(mdr_plastic_law_from_points(COUNT, in, force, in, memory, 1.0, NULL, &law), MDR_ENOMEMORY, "memory");
+    CHECK_STATUS(mdr_plastic_law_restitution(s->law, 1.0, COUNT, in, out), MDR_ENOMEMORY, "memory");
+    CHECK_STATUS(mdr_plastic_law_loading(s->law, COUNT, in, out, more, NULL, NULL), MDR_ENOMEMORY, "memory");
+    CHECK_STATUS(mdr_plastic_law_energies(s->law, COUNT, in, memory, out, more), MDR_ENOMEMORY, "memory");
+    CHECK_STATUS(mdr_overload_states(s->rule, MDR_RADIUS, COUNT, in, (mdr_overload_state *)out), MDR_ENOMEMORY, "memory");
+    CHECK_STATUS(mdr_cap_states(s->cap, MDR_RADIUS, COUNT, in, (mdr_cap_state *)out), MDR_ENOMEMORY, "memory");
+    CHECK_STATUS(mdr_cap_pressure(s->cap, 0.01, COUNT, in, out, NULL), MDR_ENOMEMORY, "memory");
+    CHECK_STATUS(mdr_truncated_hertz(0.3, 1.0, 0.5, COUNT, in, out), MDR_ENOMEMORY, "memory");
+    CHECK_TRUE(imprint == NULL && metal == NULL && law == NULL && rule == NULL);
+    for (int i = 0; i < COUNT; i += 1000) CHECK_TRUE(memory[i] == 0.0);
+}
+
+static void free_plastic(plastic *s)
+{
+    CHECK_FREE(s->cap);
+    CHECK_FREE(s->rule);
+    CHECK_FREE(s->law);
+    CHECK_FREE(s->metal);
+}
+#endif
+
 int main(void)
 {
     mdr_profile *p = NULL;
@@ -74,6 +128,11 @@ int main(void)
     problem.medium = m;
     problem.parameters = parameters;
     CHECK_SUCCESS(mdr_fit_parameters(&problem, NUMBERS, parameters, &problem.parameter_count));
+#endif
+
+#ifdef MDRCONTACT_PLASTIC_H
+    plastic yields = {0};
+    make_plastic(p, c, &yields);
 #endif
 
     refuse_large_requests();
@@ -117,9 +176,7 @@ int main(void)
     CHECK_TRUE(voxels == NULL);
 #endif
 #ifdef MDRCONTACT_PLASTIC_H
-    mdr_imprint *imprint = NULL;
-    CHECK_STATUS(mdr_imprint_from_pressure(m, COUNT, in, in, 0.0, &imprint), MDR_ENOMEMORY, "memory");
-    CHECK_TRUE(imprint == NULL);
+    check_plastic(m, &yields);
 #endif
     CHECK_STATUS(mdr_friction_history_new(friction, 0.1, 1000, &rings), MDR_ENOMEMORY, "memory");
     CHECK_TRUE(rings == NULL && law == NULL && table == NULL);
@@ -129,6 +186,9 @@ int main(void)
 
     CHECK_SUCCESS(columns_of(c, MDR_RADIUS, COUNT, in, NULL, NULL, out, NULL));
     CHECK_CLOSE(out[COUNT - 1], 4.0 / 3.0 / 0.91 * pow(in[COUNT - 1], 3), 1e-12);
+#ifdef MDRCONTACT_PLASTIC_H
+    free_plastic(&yields);
+#endif
     CHECK_FREE(path);
     CHECK_FREE(friction);
     CHECK_FREE(c);

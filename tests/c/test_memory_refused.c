@@ -419,6 +419,54 @@ static int solve_stiffness(void) { return fit((trial){MDR_FIT_STIFFNESS_DEPTH, M
 static int interval(void) { return fit((trial){MDR_FIT_MODULUS_RADIUS, MDR_FIT_LINEAR, 1, 0, 0.0, 0.0, bounded}, NULL); }
 #endif
 
+#ifdef MDRCONTACT_PLASTIC_H
+static mdr_yielding *metal;
+static mdr_plastic_law *plastic;
+static mdr_overload *rule;
+static mdr_cap *cap;
+static double shallow[POINTS], hertz[POINTS], memory[POINTS];
+
+static void make_plastic(void)
+{
+    const double strain = 0.0, stress = 1e-2;
+    for (int i = 0; i < POINTS; i++) shallow[i] = 1e-6 * (i + 1), hertz[i] = 1.4 * shallow[i] * shallow[i];
+    CHECK_SUCCESS(mdr_yielding_new(1.0, 0.3, 1, &strain, &stress, &metal));
+    CHECK_SUCCESS(mdr_plastic_law_new(ball, metal, 1e-2, NULL, &plastic));
+    CHECK_SUCCESS(mdr_overload_new(contact, 1, &stress, &rule));
+    CHECK_SUCCESS(mdr_cap_new(contact, 0.03, &cap));
+}
+
+static int imprint_of_pressure(void)
+{
+    mdr_imprint *made = NULL;
+    return mdr_imprint_from_pressure(half_space, POINTS, x, one, 0.0, &made);
+}
+static int hardening(void)
+{
+    mdr_yielding *made = NULL;
+    return mdr_yielding_new(1.0, 0.3, POINTS, x, one, &made);
+}
+static int plastic_table(void)
+{
+    mdr_plastic_law *made = NULL;
+    return mdr_plastic_law_from_points(POINTS, shallow, hertz, shallow, memory, 1.0, NULL, &made);
+}
+static int plastic_steps(void)
+{
+    int status = mdr_plastic_law_advance(plastic, POINTS, shallow, 0, memory, out, NULL, NULL);
+    if (status == MDR_SUCCESS) status = mdr_plastic_law_energies(plastic, POINTS, shallow, memory, out, y);
+    return status;
+}
+static int plastic_loading(void) { return mdr_plastic_law_loading(plastic, POINTS, shallow, out, NULL, NULL, NULL); }
+static int restitution(void) { return mdr_plastic_law_restitution(plastic, 1.0, POINTS, hertz, out); }
+static int overloads(void)
+{
+    static mdr_overload_state found[POINTS];
+    return mdr_overload_states(rule, MDR_RADIUS, POINTS, shallow, found);
+}
+static int capped_pressure(void) { return mdr_cap_pressure(cap, 0.1, POINTS, x, out, NULL); }
+#endif
+
 /* In a process of its own. 0 if it came to its end with a status that may be. */
 static int dies(int (*call)(void), int number, int *count)
 {
@@ -603,6 +651,17 @@ int main(void)
     refuse_each("fit of an adhesive curve under a robust loss", 0, solve_adhesive);
     refuse_each("fit of stiffnesses", 0, solve_stiffness);
     refuse_each("interval", 0, interval);
+#endif
+#ifdef MDRCONTACT_PLASTIC_H
+    make_plastic();
+    refuse_each("imprint of a pressure", 0, imprint_of_pressure);
+    refuse_each("hardening", 0, hardening);
+    refuse_each("table of first loading", 21, plastic_table);
+    refuse_each("steps of plastic contacts", 0, plastic_steps);
+    refuse_each("first loading", 0, plastic_loading);
+    refuse_each("restitution", 0, restitution);
+    refuse_each("overload rule", 0, overloads);
+    refuse_each("pressure under a cap", 1, capped_pressure);
 #endif
     return check_report("refused memory");
 }

@@ -5,7 +5,19 @@
 
 #include <pthread.h>
 
-enum { THREADS = 4, POINTS = 6, ROUNDS = 5, VALUES = 18 * POINTS };
+enum { THREADS = 4, POINTS = 6, ROUNDS = 5, VALUES = 25 * POINTS };
+
+#ifdef MDRCONTACT_PLASTIC_H
+typedef struct plastic {
+    mdr_profile *ball;
+    mdr_contact *on_film;
+    mdr_yielding *metal;
+    mdr_plastic_law *law;
+    mdr_imprint *imprint;
+    mdr_overload *rule;
+    mdr_cap *cap;
+} plastic;
+#endif
 
 typedef struct task {
     const mdr_profile *profile;
@@ -19,6 +31,10 @@ typedef struct task {
 #endif
 #ifdef MDRCONTACT_CONDUCTION_H
     const mdr_conduction *conduction;
+#endif
+#ifdef MDRCONTACT_PLASTIC_H
+    const plastic *yields;
+    const mdr_medium *film;
 #endif
     int number;
     int failed_calls;
@@ -51,6 +67,88 @@ static int lead(const mdr_friction *friction, double *v)
     return failed;
 }
 
+#ifdef MDRCONTACT_PLASTIC_H
+/* A law of all threads, whose memory this one has, and a sticky law of its own. */
+static int load(const plastic *s, double *v)
+{
+    const double depth[POINTS] = {2e-6, 9e-6, 4e-6, 9.5e-6, -1e-6, 9e-6}, speed = 3e-7;
+    double memory = 0.0;
+    mdr_plastic_law *sticky = NULL, *large = NULL;
+    mdr_plastic_law_options options = MDR_SIZED(mdr_plastic_law_options);
+    int failed = 0;
+
+    for (int i = 0; i < POINTS; i++) {
+        failed += mdr_plastic_law_advance(s->law, 1, depth + i, 0, &memory, v + i, v + POINTS + i, NULL) != MDR_SUCCESS;
+        failed += mdr_plastic_law_energies(s->law, 1, depth + i, &memory, v + 2 * POINTS + i, v + 3 * POINTS + i) != MDR_SUCCESS;
+    }
+    v += 4 * POINTS;
+    options.work_of_adhesion = 1e-15;
+    failed += mdr_plastic_law_new(s->ball, s->metal, 1e-5, &options, &sticky) != MDR_SUCCESS;
+    failed += mdr_plastic_law_loading(sticky, 2, depth, v, v + 2, NULL, NULL) != MDR_SUCCESS;
+    failed += mdr_free(sticky) != MDR_SUCCESS;
+    failed += mdr_plastic_law_with_radius(s->law, 2.0, &large) != MDR_SUCCESS;
+    failed += mdr_plastic_law_loading(large, 1, depth, v + 4, NULL, NULL, NULL) != MDR_SUCCESS;
+    failed += mdr_free(large) != MDR_SUCCESS;
+    failed += mdr_plastic_law_restitution(s->law, 1.0, 1, &speed, v + 5) != MDR_SUCCESS;
+    return failed;
+}
+
+/* Imprints, their contacts, the overload rule and a pressure cap on a film. */
+static int indent(const plastic *s, const mdr_medium *film, double *v)
+{
+    const double r[5] = {0.0, 0.1, 0.2, 0.3, 0.4}, p[5] = {0.9, 0.88, 0.82, 0.7, 0.5}, limits[2] = {1.0, INFINITY}, a = 0.2;
+    mdr_profile *effective = NULL;
+    mdr_contact *unloading = NULL;
+    mdr_imprint *left = NULL;
+    mdr_imprint_facts facts = MDR_SIZED(mdr_imprint_facts);
+    mdr_overload_state loaded = {0};
+    mdr_cap_state capped = {0};
+    int failed = 0, layer;
+
+    failed += mdr_imprint_profile(s->imprint, &effective) != MDR_SUCCESS;
+    failed += mdr_contact_new(effective, film, NULL, &unloading) != MDR_SUCCESS;
+    failed += columns_of(unloading, MDR_RADIUS, 3, r + 1, NULL, NULL, v, NULL) != MDR_SUCCESS;
+    failed += mdr_free(unloading) != MDR_SUCCESS;
+    failed += mdr_free(effective) != MDR_SUCCESS;
+    failed += mdr_imprint_reverse_yield(s->imprint, 2, limits, v + 3, &layer) != MDR_SUCCESS;
+    failed += mdr_imprint_from_pressure(film, 5, r, p, 0.0, &left) != MDR_SUCCESS;
+    failed += mdr_imprint_about(left, &facts) != MDR_SUCCESS;
+    failed += mdr_free(left) != MDR_SUCCESS;
+    v[4] = facts.recovered_work;
+    failed += mdr_overload_states(s->rule, MDR_RADIUS, 1, &a, &loaded) != MDR_SUCCESS;
+    failed += mdr_cap_states(s->cap, MDR_RADIUS, 1, &a, &capped) != MDR_SUCCESS;
+    failed += mdr_cap_pressure(s->cap, a, 2, r, v + 8, v + 10) != MDR_SUCCESS;
+    v[5] = loaded.depth;
+    v[6] = capped.force;
+    v[7] = capped.residual_depth;
+    return failed;
+}
+
+static void make_plastic(const mdr_medium *film, plastic *s)
+{
+    const double strain = 0.0, stress = 1e-4, limits[2] = {2.0, INFINITY};
+
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &s->ball));
+    CHECK_SUCCESS(mdr_contact_new(s->ball, film, NULL, &s->on_film));
+    CHECK_SUCCESS(mdr_yielding_new(1.0, 0.3, 1, &strain, &stress, &s->metal));
+    CHECK_SUCCESS(mdr_plastic_law_new(s->ball, s->metal, 1e-5, NULL, &s->law));
+    CHECK_SUCCESS(mdr_imprint_two_terms(film, 0.4, 0.5, 0.4, 0.0, &s->imprint));
+    CHECK_SUCCESS(mdr_overload_new(s->on_film, 2, limits, &s->rule));
+    CHECK_SUCCESS(mdr_cap_new(s->on_film, 5.0, &s->cap));
+}
+
+static void free_plastic(plastic *s)
+{
+    CHECK_FREE(s->cap);
+    CHECK_FREE(s->rule);
+    CHECK_FREE(s->imprint);
+    CHECK_FREE(s->law);
+    CHECK_FREE(s->metal);
+    CHECK_FREE(s->on_film);
+    CHECK_FREE(s->ball);
+}
+#endif
+
 /* Every evaluation there is, into task->values. */
 static void evaluate(task *t)
 {
@@ -80,6 +178,10 @@ static void evaluate(task *t)
 #ifdef MDRCONTACT_CONDUCTION_H
     failed += mdr_conduction_spot(t->conduction, POINTS, a, v + 16 * POINTS, NULL) != MDR_SUCCESS;
     failed += mdr_conduction_follow(t->conduction, MDR_CONDUCTANCE, 0.3, 1, a, NULL, v + 17 * POINTS) != MDR_SUCCESS;
+#endif
+#ifdef MDRCONTACT_PLASTIC_H
+    failed += load(t->yields, v + 18 * POINTS);
+    failed += indent(t->yields, t->film, v + 23 * POINTS);
 #endif
     t->failed_calls += failed;
 }
@@ -145,6 +247,12 @@ int main(int argc, char **argv)
 #ifdef MDRCONTACT_CONDUCTION_H
     alone.conduction = conduction;
 #endif
+#ifdef MDRCONTACT_PLASTIC_H
+    plastic yields = {0};
+    make_plastic(film, &yields);
+    alone.yields = &yields;
+    alone.film = film;
+#endif
     alone.friction = friction;
 #ifdef MDRCONTACT_POROELASTIC_H
     alone.pores = pores;
@@ -177,6 +285,9 @@ int main(int argc, char **argv)
 #endif
 #ifdef MDRCONTACT_CONDUCTION_H
     CHECK_FREE(conduction);
+#endif
+#ifdef MDRCONTACT_PLASTIC_H
+    free_plastic(&yields);
 #endif
     CHECK_FREE(friction);
     CHECK_FREE(sheared);

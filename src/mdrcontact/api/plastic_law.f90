@@ -7,7 +7,7 @@ module mdrcontact_api_plastic_law
     use mdrcontact_api_plastic_open_handle, only: open_handle
     use mdrcontact_api_records, only: c_plastic_law_facts_t, c_plastic_law_options_t
     use mdrcontact_api_status, only: status_of, wanted_threads
-    use mdrcontact_error, only: count_text, error_invalid, error_t, raise, raise_at
+    use mdrcontact_error, only: check_memory, count_text, error_invalid, error_t, raise, raise_at
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_plastic_law, only: plastic_law_t, plastic_steps_t
     use mdrcontact_plastic_law_new, only: new_plastic_law, new_plastic_law_from_points, plastic_options_t
@@ -187,12 +187,14 @@ contains
         real(c_double), pointer, contiguous :: records(:, :)
         real(c_double), allocatable :: kept(:), lost(:)
         type(error_t), allocatable :: error
+        integer :: stat
 
         call open_handle(law, "law", inside, error)
         if (.not. allocated(error) .and. n > 0) then
             call c_f_pointer(memory, records, [inside%memory_size(), int(n)])
-            allocate (kept(n), lost(n))
-            call inside%energies(d, records, kept, lost, error)
+            allocate (kept(n), lost(n), stat=stat)
+            call check_memory(error, stat)
+            if (.not. allocated(error)) call inside%energies(d, records, kept, lost, error)
             if (.not. allocated(error)) then
                 stored(:) = kept
                 dissipated(:) = lost
@@ -211,10 +213,11 @@ contains
         type(plastic_law_t), pointer :: inside
         real(c_double), allocatable :: found(:, :)
         type(error_t), allocatable :: error
-        integer :: i
+        integer :: i, stat
 
         call open_handle(law, "law", inside, error)
-        allocate (found(4, max(n, 0_c_int)))
+        allocate (found(4, max(n, 0_c_int)), stat=stat)
+        call check_memory(error, stat)
         do i = 1, n
             if (allocated(error)) exit
             call inside%first_loading(d(i), found(1, i), found(2, i), found(3, i), found(4, i), error)
@@ -239,10 +242,11 @@ contains
         type(plastic_law_t), pointer :: inside
         real(c_double), allocatable :: found(:)
         type(error_t), allocatable :: error
-        integer :: i
+        integer :: i, stat
 
         call open_handle(law, "law", inside, error)
-        allocate (found(max(n, 0_c_int)))
+        allocate (found(max(n, 0_c_int)), stat=stat)
+        call check_memory(error, stat)
         do i = 1, n
             if (allocated(error)) exit
             call inside%restitution(mass, speed(i), found(i), error)

@@ -304,12 +304,13 @@ contains
         real(wp), intent(in) :: a
         type(disc_t), intent(out) :: disc
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: matrix(0:hats%n, 0:hats%n), heights(0:hats%n), areas(0:hats%n), gap(0:hats%n), modulus
+        real(wp), allocatable :: matrix(:, :)
+        real(wp) :: heights(0:hats%n), areas(0:hats%n), gap(0:hats%n), modulus
         logical :: reachable(0:hats%n), capped(0:hats%n), wrong(0:hats%n)
         integer :: fewest, n, round, tries, stat
 
         n = hats%n
-        allocate (disc%pressure(0:n), disc%residual(0:n), stat=stat)
+        allocate (disc%pressure(0:n), disc%residual(0:n), matrix(0:n, 0:n), stat=stat)
         call check_memory(error, stat)
         if (.not. allocated(error)) call line_compliance(hats, self%contact%equilibrium%medium, a, matrix, modulus, error)
         if (allocated(error)) return

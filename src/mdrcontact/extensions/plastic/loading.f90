@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> First loading of a contact beyond yield: force, contact radius and imprint over the depth.
 module mdrcontact_plastic_loading
-    use mdrcontact_error, only: check_not_negative, check_positive, check_same_size, error_domain, error_invalid, error_t, raise, &
-                                to_text
+    use mdrcontact_error, only: check_memory, check_not_negative, check_positive, check_same_size, error_domain, error_invalid, &
+                                error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_numerics_monotone_table, only: monotone_table_t, new_monotone_table
     use mdrcontact_plastic_virgin, only: largest_load, virgin_t
@@ -192,7 +192,8 @@ contains
         !> E* > 0, with which the contact unloads [modulus]
         real(wp), intent(in) :: modulus
         type(error_t), allocatable, intent(out) :: error
-        integer :: i, n
+        real(wp), allocatable :: recovery(:)
+        integer :: n, stat
 
         n = size(depth)
         call check_same_size(error, n, size(force))
@@ -207,12 +208,17 @@ contains
         call check_residual(depth, force, radius, residual, modulus, error)
         if (.not. allocated(error)) call new_monotone_table(self%force, depth, force, error)
         if (.not. allocated(error)) call new_monotone_table(self%radius, depth, radius, error)
-        if (.not. allocated(error)) call new_monotone_table(self%recovery, depth, depth - residual, error)
+        if (allocated(error)) return
+        allocate (recovery(n), self%breaks(n - 2), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        recovery = depth - residual
+        call new_monotone_table(self%recovery, depth, recovery, error)
         if (allocated(error)) return
         self%modulus = modulus
         self%first = depth(1)
         self%last = depth(n)
-        self%breaks = [(depth(i), i=2, n - 1)]
+        self%breaks = depth(2:n - 1)
     end subroutine new_table_loading
 
     !> Raises unless numbers are > 0 and rise.

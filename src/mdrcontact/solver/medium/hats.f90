@@ -220,12 +220,12 @@ contains
         type(hats_t), intent(in) :: hats
         class(solver_t), intent(in) :: solver
         real(wp), intent(in) :: a
-        real(wp), intent(out) :: matrix(0:, 0:)
+        real(wp), intent(out), contiguous :: matrix(0:, 0:)
         !> E0* [modulus]
         real(wp), intent(out) :: modulus
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: interaction(:, :), coupled(:, :)
-        integer :: m, n
+        integer :: m, n, stat
 
         n = hats%n + 1
         modulus = solver%springs%modulus
@@ -234,7 +234,9 @@ contains
         matrix = hats%products
         m = size(interaction, 1)
         if (m > 0) then
-            allocate (coupled(m, 0:hats%n))
+            allocate (coupled(m, 0:hats%n), stat=stat)
+            call check_memory(error, stat)
+            if (allocated(error)) return
             call dgemm("N", "N", m, n, m, 0.5_wp, interaction, m, hats%waves, size(hats%waves, 1), 0.0_wp, coupled, m)
             call dgemm("T", "N", n, n, m, 1.0_wp, hats%waves, size(hats%waves, 1), coupled, m, 1.0_wp, matrix, n)
         end if
