@@ -367,7 +367,7 @@ typedef struct mdr_overload mdr_overload;
  *  @param n             number of materials: layers and half-space
  *  @param yield_stress  [n] of each material, top to bottom, > 0; of all but the first one also infinite [modulus]
  *  @param out           receives the handle
- *  @return also MDR_EINVALID for a Poisson's ratio of the surface outside [0, 0.49]
+ *  @return also MDR_EINVALID for a Poisson's ratio of the surface outside [0, 0.49], and for indenters with a flat end
  *  @code
  *  const double yield_stress[2] = {1e9, 4e9};
  *  mdr_overload *rule = NULL;

@@ -390,7 +390,12 @@ def test_bodies_that_have_none():
     with pytest.raises(mdr.errors.ArgumentTypeError, match="it must be an Imprint"):
         ImprintProfile(3.0)
     imprint = Imprint.from_two_terms(SOFT, A, 0.02, 0.0)
-    wrong = {(1.0,): "has 1 entries: the body has 2", (1.0, 0.0): "entry 2 of yield_stress = 0", (1.0, math.nan): "entry 2"}
+    wrong = {
+        (): "yield_stresses: it is empty",
+        (1.0,): "has 1 entries: the body has 2",
+        (1.0, 0.0): "entry 2 of yield_stress = 0",
+        (1.0, math.nan): "entry 2",
+    }
     for stresses, words in wrong.items():
         with pytest.raises(InvalidArgumentError, match=words):
             imprint.reverse_yield(stresses)

@@ -125,6 +125,12 @@ def test_what_the_overload_rule_does_not_support():
         Overload(METAL, [1e-3])
     with pytest.raises(errors.InvalidArgumentError, match="adhesion"):
         Overload(mdr.Contact(mdr.Paraboloid(1.0), METAL, work_of_adhesion=1e-9), [1e-3])
+    for flat in (mdr.FlatPunch(1.0), mdr.FlatEndedCone(0.1, 0.1), mdr.FlatEndedParaboloid(0.1, 1.0)):
+        with pytest.raises(errors.InvalidArgumentError, match="flat end yields at any load.*create an imprint"):
+            Overload(mdr.Contact(flat, METAL), [1e-3])
+    film = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(mdr.Elastic(4.0, 0.3), 0.1, mdr.Elastic(1.0, 0.3)))
+    with pytest.raises(errors.InvalidArgumentError, match="entry 1 of yield_stress = infinity.*40 to 80 %.*create an imprint"):
+        Overload(film, [np.inf, 1e-3])
     with pytest.raises(errors.InvalidArgumentError, match="rigid indenter"):
         Overload(mdr.Contact(mdr.Paraboloid(1.0), mdr.Pair(METAL, METAL)), [1e-3])
     with pytest.raises(errors.InvalidArgumentError, match=r"nu = 0.5"):

@@ -403,6 +403,8 @@ class Imprint(Value):
         Above 2 a `PlasticityWarning` states the error of the force on unloading, 0.02 % to 2.5 % of the largest one.
         """
         values = np.atleast_1d(numbers("yield_stresses", yield_stresses))
+        if not values.size:
+            raise InvalidArgumentError("yield_stresses: it is empty. Give one for each layer and for the half-space")
         ratio, layer = call(native.imprint_reverse_yield, self._handle, values)
         found = []
         if ratio > _ELASTIC:

@@ -126,7 +126,8 @@ class Overload(Value):
     ArgumentTypeError
         `contact` is not a contact.
     InvalidArgumentError
-        The number of yield stresses is not that of the materials, one is not greater than 0, or the contact has adhesion.
+        The number of yield stresses is not that of the materials, one is not greater than 0, a film does not yield, the contact has
+        adhesion, or the indenter has a flat end.
 
     Notes
     -----

@@ -83,28 +83,11 @@ contains
         real(wp), intent(in) :: yield_stress(:)
         type(error_t), allocatable, intent(out) :: error
         type(layers_t) :: layers
-        integer :: i
 
         call check_made(error, "contact", contact%is_made)
-        if (allocated(error)) return
-        if (contact%is_adhesive()) call raise(error, error_invalid, "contact: no rule is known for adhesion during plastic "// &
-                                              "loading. Omit the adhesion")
-        if (.not. allocated(error) .and. contact%equilibrium%medium%is_pair) then
-            call raise(error, error_invalid, "contact: the overload rule is one for a rigid indenter. Press it into one body")
-        end if
-        call check_springs(contact%equilibrium%medium, "an overload rule is", error)
+        if (.not. allocated(error)) call check_contact(contact, error)
         if (.not. allocated(error)) call layers_of(contact%equilibrium, .false., layers, error)
-        if (allocated(error)) return
-        if (size(yield_stress) /= layers%bodies()) then
-            call raise(error, error_invalid, "yield_stress: it has "//count_text(size(yield_stress))//" entries. Give one for "// &
-                       "each of the "//count_text(layers%bodies())//" materials, top to bottom")
-            return
-        end if
-        call check_positive(error, "yield_stress", yield_stress(1), 1)
-        do i = 2, size(yield_stress)
-            if (allocated(error)) return
-            if (.not. yield_stress(i) > 0.0_wp) call check_positive(error, "yield_stress", yield_stress(i), i)
-        end do
+        if (.not. allocated(error)) call check_stresses(yield_stress, layers%bodies(), error)
         if (.not. allocated(error)) call new_virgin(self%virgin, layers%poisson(1), error)
         if (allocated(error)) return
         self%contact = contact
@@ -112,6 +95,48 @@ contains
         if (size(layers%thickness) > 0) self%thickness = layers%thickness(1)
         self%is_made = .true.
     end subroutine new_overload
+
+    !> Raises unless the rule holds for a contact: a rigid indenter without a flat end, no adhesion, one body with springs.
+    subroutine check_contact(contact, error)
+        type(contact_t), intent(in) :: contact
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (contact%is_adhesive()) then
+            call raise(error, error_invalid, "contact: no rule is known for adhesion during plastic loading. Omit the adhesion")
+        else if (contact%equilibrium%medium%is_pair) then
+            call raise(error, error_invalid, "contact: the overload rule is one for a rigid indenter. Press it into one body")
+        else if (contact%equilibrium%profile%end_radius > 0.0_wp) then
+            call raise(error, error_invalid, "contact: the edge of a flat end yields at any load. Use an indenter without a "// &
+                       "flat end, or measure force, depth and radius, and create an imprint")
+        else
+            call check_springs(contact%equilibrium%medium, "an overload rule is", error)
+        end if
+    end subroutine check_contact
+
+    !> Raises unless there is a yield stress > 0 of each material, a finite one of the first.
+    pure subroutine check_stresses(yield_stress, bodies, error)
+        real(wp), intent(in) :: yield_stress(:)
+        integer, intent(in) :: bodies
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i
+
+        if (size(yield_stress) /= bodies) then
+            call raise(error, error_invalid, "yield_stress: it has "//count_text(size(yield_stress))//" entries. Give one for "// &
+                       "each of the "//count_text(bodies)//" materials, top to bottom")
+            return
+        end if
+        if (bodies > 1 .and. yield_stress(1) > huge(1.0_wp)) then
+            call raise(error, error_invalid, " = infinity: below a film that does not yield the body yields, where the force "// &
+                       "would have an error of 40 to 80 %. Measure force, depth and radius, and create an imprint", &
+                       "yield_stress", 1)
+            return
+        end if
+        call check_positive(error, "yield_stress", yield_stress(1), 1)
+        do i = 2, bodies
+            if (allocated(error)) return
+            if (.not. yield_stress(i) > 0.0_wp) call check_positive(error, "yield_stress", yield_stress(i), i)
+        end do
+    end subroutine check_stresses
 
     !> The state at a given radius, depth or force.
     subroutine at(self, given, value, state, error)
