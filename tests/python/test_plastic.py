@@ -287,6 +287,38 @@ def test_everything_of_a_contact():
     assert abs(full) > abs(state.interior(0.2, 0.4).s_zz) > 0.0
 
 
+def of_elements(count, uniform, hertz):
+    """Radii of nodes up to A, and the mean pressure of two terms between the middles of the elements, as reactions give it."""
+    r = np.linspace(0.0, 1.0, count + 1)
+    ends = np.r_[0.0, 0.5 * (r[1:] + r[:-1]), 1.0]
+    load = 0.5 * uniform * ends**2 - hertz / 3.0 * (1.0 - ends**2) ** 1.5
+    return A * r, np.diff(load) / (0.5 * np.diff(ends**2))
+
+
+@pytest.mark.parametrize("body", [HALF, SOFT], ids=["half-space", "film"])
+@pytest.mark.parametrize(("uniform", "hertz"), [(0.02, 0.0), (0.02, 0.01), (0.01, 0.02), (0.0, 0.02)])
+def test_pressures_of_finite_elements(body, uniform, hertz):
+    """Mean pressures of elements, and pressures with noise of 0.2 %: force and depth of the whole unloading within 0.2 %."""
+    exact = Imprint.from_two_terms(body, A, uniform, hertz)
+    r, p = of_elements(32, uniform, hertz)
+    noise = 1.0 + 2e-3 * np.random.default_rng(1).standard_normal(r.size)
+    back = exact.recovery * np.linspace(0.05, 0.95, 10)
+    force = exact.contact().at_depth(exact.recovery - back).force
+    for pressure, error in ((p, 4e-4), (p * noise, 2e-3)):
+        found = Imprint.from_pressure(body, r, pressure)
+        assert found.force == pytest.approx(exact.force, rel=error)
+        assert found.recovery == pytest.approx(exact.recovery, rel=error)
+        unloaded = found.contact().at_depth(np.maximum(found.recovery - back, 1e-3 * exact.recovery)).force
+        assert unloaded == pytest.approx(force, abs=error * exact.force)
+
+
+def test_a_pressure_that_ends_at_zero_beside_a_uniform_one():
+    """The 0 of a node at the edge takes from the force what half an element carries, at most."""
+    exact, (r, p) = Imprint.from_two_terms(HALF, A, 0.02, 0.01), of_elements(32, 0.02, 0.01)
+    p[-1] = 0.0
+    assert 0.002 < 1.0 - Imprint.from_pressure(HALF, r, p).force / exact.force < 0.006
+
+
 def test_reverse_yield():
     """Hertz's largest von Mises stress, 0.6200 p0 for nu = 0.3, and layers in order."""
     imprint = Imprint.from_two_terms(HALF, A, 0.0, 0.03)

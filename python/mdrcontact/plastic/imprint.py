@@ -272,6 +272,11 @@ class Imprint(Value):
         NoConvergenceError
             Force or work exceeds the range of double precision.
 
+        Notes
+        -----
+        With pressures of 32 elements, or with noise of 0.2 %, force and depth of the unloading are accurate to 0.2 %. Give the
+        pressure at A by the elements inside: a 0 of the node there lowers the force by 0.5 %.
+
         Examples
         --------
         >>> body = mdr.Homogeneous(mdr.Elastic(200e9, 0.3))
