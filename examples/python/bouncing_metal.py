@@ -43,6 +43,8 @@ for name, law in laws.items():
 speed = np.array([0.05, 3.0])
 left.loglog(speed, 0.6 * (speed / speed[0]) ** -0.25, "k:", label="power -1/4")
 left.set(xlabel="speed V [m/s]", ylabel="restitution e", title="balls of 2 mm on a rigid plane", ylim=(0.2, 1.1))
+left.set_yticks([0.2, 0.3, 0.4, 0.6, 0.8, 1.0], ["0.2", "0.3", "0.4", "0.6", "0.8", "1"])
+left.yaxis.minorticks_off()
 right.set(xlabel="depth d [µm]", ylabel="force F [N]", title="first loading")
 left.legend(frameon=False, fontsize=8)
 figure.savefig("bouncing_metal.png", dpi=130)

@@ -10,7 +10,8 @@ enum { THREADS = 4, POINTS = 6, ROUNDS = 5, VALUES = 25 * POINTS };
 #ifdef MDRCONTACT_PLASTIC_H
 typedef struct plastic {
     mdr_profile *ball;
-    mdr_contact *on_film;
+    mdr_medium *body;
+    mdr_contact *contact;
     mdr_yielding *metal;
     mdr_plastic_law *law;
     mdr_imprint *imprint;
@@ -34,7 +35,6 @@ typedef struct task {
 #endif
 #ifdef MDRCONTACT_PLASTIC_H
     const plastic *yields;
-    const mdr_medium *film;
 #endif
     int number;
     int failed_calls;
@@ -93,10 +93,10 @@ static int load(const plastic *s, double *v)
     return failed;
 }
 
-/* Imprints, their contacts, the overload rule and a pressure cap on a film. */
-static int indent(const plastic *s, const mdr_medium *film, double *v)
+/* Imprints, their contacts, the overload rule and a pressure cap. */
+static int indent(const plastic *s, double *v)
 {
-    const double r[5] = {0.0, 0.1, 0.2, 0.3, 0.4}, p[5] = {0.9, 0.88, 0.82, 0.7, 0.5}, limits[2] = {1.0, INFINITY}, a = 0.2;
+    const double r[5] = {0.0, 0.1, 0.2, 0.3, 0.4}, p[5] = {0.9, 0.88, 0.82, 0.7, 0.5}, limit = 1.0, a = 0.2;
     mdr_profile *effective = NULL;
     mdr_contact *unloading = NULL;
     mdr_imprint *left = NULL;
@@ -106,12 +106,12 @@ static int indent(const plastic *s, const mdr_medium *film, double *v)
     int failed = 0, layer;
 
     failed += mdr_imprint_profile(s->imprint, &effective) != MDR_SUCCESS;
-    failed += mdr_contact_new(effective, film, NULL, &unloading) != MDR_SUCCESS;
+    failed += mdr_contact_new(effective, s->body, NULL, &unloading) != MDR_SUCCESS;
     failed += columns_of(unloading, MDR_RADIUS, 3, r + 1, NULL, NULL, v, NULL) != MDR_SUCCESS;
     failed += mdr_free(unloading) != MDR_SUCCESS;
     failed += mdr_free(effective) != MDR_SUCCESS;
-    failed += mdr_imprint_reverse_yield(s->imprint, 2, limits, v + 3, &layer) != MDR_SUCCESS;
-    failed += mdr_imprint_from_pressure(film, 5, r, p, 0.0, &left) != MDR_SUCCESS;
+    failed += mdr_imprint_reverse_yield(s->imprint, 1, &limit, v + 3, &layer) != MDR_SUCCESS;
+    failed += mdr_imprint_from_pressure(s->body, 5, r, p, 0.0, &left) != MDR_SUCCESS;
     failed += mdr_imprint_about(left, &facts) != MDR_SUCCESS;
     failed += mdr_free(left) != MDR_SUCCESS;
     v[4] = facts.recovered_work;
@@ -124,17 +124,18 @@ static int indent(const plastic *s, const mdr_medium *film, double *v)
     return failed;
 }
 
-static void make_plastic(const mdr_medium *film, plastic *s)
+static void make_plastic(plastic *s)
 {
-    const double strain = 0.0, stress = 1e-4, limits[2] = {2.0, INFINITY};
+    const double strain = 0.0, stress = 1e-4, limit = 2.0;
 
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &s->ball));
-    CHECK_SUCCESS(mdr_contact_new(s->ball, film, NULL, &s->on_film));
+    CHECK_SUCCESS(new_homogeneous(72.0, 0.17, &s->body));
+    CHECK_SUCCESS(mdr_contact_new(s->ball, s->body, NULL, &s->contact));
     CHECK_SUCCESS(mdr_yielding_new(1.0, 0.3, 1, &strain, &stress, &s->metal));
     CHECK_SUCCESS(mdr_plastic_law_new(s->ball, s->metal, 1e-5, NULL, &s->law));
-    CHECK_SUCCESS(mdr_imprint_two_terms(film, 0.4, 0.5, 0.4, 0.0, &s->imprint));
-    CHECK_SUCCESS(mdr_overload_new(s->on_film, 2, limits, &s->rule));
-    CHECK_SUCCESS(mdr_cap_new(s->on_film, 5.0, &s->cap));
+    CHECK_SUCCESS(mdr_imprint_two_terms(s->body, 0.4, 0.5, 0.4, 0.0, &s->imprint));
+    CHECK_SUCCESS(mdr_overload_new(s->contact, 1, &limit, &s->rule));
+    CHECK_SUCCESS(mdr_cap_new(s->contact, 5.0, &s->cap));
 }
 
 static void free_plastic(plastic *s)
@@ -144,7 +145,8 @@ static void free_plastic(plastic *s)
     CHECK_FREE(s->imprint);
     CHECK_FREE(s->law);
     CHECK_FREE(s->metal);
-    CHECK_FREE(s->on_film);
+    CHECK_FREE(s->contact);
+    CHECK_FREE(s->body);
     CHECK_FREE(s->ball);
 }
 #endif
@@ -181,7 +183,7 @@ static void evaluate(task *t)
 #endif
 #ifdef MDRCONTACT_PLASTIC_H
     failed += load(t->yields, v + 18 * POINTS);
-    failed += indent(t->yields, t->film, v + 23 * POINTS);
+    failed += indent(t->yields, v + 23 * POINTS);
 #endif
     t->failed_calls += failed;
 }
@@ -249,9 +251,8 @@ int main(int argc, char **argv)
 #endif
 #ifdef MDRCONTACT_PLASTIC_H
     plastic yields = {0};
-    make_plastic(film, &yields);
+    make_plastic(&yields);
     alone.yields = &yields;
-    alone.film = film;
 #endif
     alone.friction = friction;
 #ifdef MDRCONTACT_POROELASTIC_H

@@ -103,10 +103,10 @@ def test_reverse_yield_by_layer():
     }
     tables = changed(medium=None, imprint={"depth": "57 nm", "residual_depth": "38.5 nm"})
     found = studies.imprint(problem.read({**tables, "medium": coated}))
-    film, base = (found.numbers[f"R_Y of the {name}"].value for name in ("layer 1", "substrate"))
+    film, base = (found.numbers[f"R_Y of the {name}"].value for name in ("film", "substrate"))
     assert film == found.imprint.reverse_yield([0.35e9, np.inf]).ratio and base == found.imprint.reverse_yield([np.inf, 7e9]).ratio
     assert 1.5 < film < 2.5 and 0.0 < base < 0.2
-    assert "R_Y of the layer 1" in found.notes["reverse yield"]
+    assert "R_Y of the film" in found.notes["reverse yield"]
     coated["substrate"].pop("yield_stress")
     found = studies.imprint(problem.read({**tables, "medium": coated}))
     assert "R_Y of the substrate" not in found.numbers
@@ -172,7 +172,7 @@ def test_the_command_and_its_picture(tmp_path, capsys):
     file = str(ROOT / "examples" / "problems" / "aluminium_on_silicon.toml")
     assert main(["imprint", file, "--csv", str(tmp_path / "a.csv"), "--plot", str(tmp_path / "a.png")]) == 0
     printed = capsys.readouterr().out
-    assert "Unloading recovers" in printed and "R_Y of the layer 1" in printed
+    assert "Unloading recovers" in printed and "R_Y of the film" in printed
     assert (tmp_path / "a.csv").read_text(encoding="utf-8").count("\n") == 101
     found = studies.imprint(problem.load(file))
     assert [panel.title for panel in found.figure().panels] == ["unloading, reloading", "shapes", "at the largest load", "recovery"]

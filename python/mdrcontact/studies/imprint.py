@@ -17,6 +17,7 @@ from ..problem.compute import Control
 from ..problem.imprint import Imprinted, unloading
 from ..progress import Progress
 from .result import Array, Column, Number, Result, Table, column, study
+from .stress import layer_name
 
 _POINTS = 200
 """Points of pressure and shapes over the contact radius."""
@@ -173,7 +174,7 @@ def _reverse_yield(made: Imprint, stresses: tuple[YieldStress | None, ...]) -> t
     most = made.reverse_yield(limits).ratio
     found, notes = {}, {}
     for i in np.flatnonzero(np.isfinite(limits)):
-        place = ("half-space" if i == 0 else "substrate") if i == len(limits) - 1 else f"layer {i + 1}"
+        place = "half-space" if len(limits) == 1 else layer_name(tuple(limits), i)
         alone = np.where(np.arange(len(limits)) == i, limits, np.inf)
         found[f"R_Y of the {place}"] = Number(made.reverse_yield(alone).ratio, RATIO)
         if errors[i]:
