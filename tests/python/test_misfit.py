@@ -119,6 +119,18 @@ def test_an_indent_that_stays_is_told(branch):
     assert warnings_of(*indented(1.5, 0.0), branch) == [], "an elastic loading"
 
 
+def test_unloading_with_the_contact_point_of_loading_seems_soft():
+    """Its force is below that of loading at every depth; with the contact point free the imprint seems stiff."""
+    depth, force = indented(1.0, 0.6)
+    moduli = []
+    for free, words in ((["E"], "too low"), (["E", "depth_offset"], "too high")):
+        result = mdi.fit(record_of(depth, force, "unloading"), BALL, mdr.Homogeneous(OXIDE), free)
+        assert any(f"the modulus is {words}" in text for text in result.warnings)
+        moduli.append(result.estimates["E"])
+    loading = mdi.fit(record_of(depth, force, "loading"), BALL, mdr.Homogeneous(OXIDE), ["E"]).estimates["E"]
+    assert moduli[0] < loading < moduli[1]
+
+
 @pytest.mark.parametrize("noise", [0.02, 0.1])
 def test_few_noisy_readings_of_an_elastic_body_are_no_indent(noise):
     random = np.random.default_rng(0)

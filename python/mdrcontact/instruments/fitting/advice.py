@@ -303,7 +303,9 @@ def _indent(result: FitResult) -> list[str]:
             "the way. Unloading from the end of the fitted readings would show whether they are elastic"
         ]
     is_loading = result.data.branch is None or BRANCHES["loading"] in result.data.branch
-    effect = "low" if is_loading else "high, as the imprint is blunter than the tip"
+    # from initial contact the force on unloading is below that of loading; from the end of unloading it is that of a blunt indenter
+    is_low = is_loading or "depth_offset" not in result.problem.free
+    effect = "low" if is_low else "high, as the imprint is blunter than the tip"
     return [
         f"unloading gives back {percent(found.returned)} of the work of loading and ends {left}: the contact is plastic, or the "
         f"body creeps. The fit treats it as elastic, so the modulus is too {effect}. Fit the stiffness of the unloading curve, "
