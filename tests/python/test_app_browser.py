@@ -9,6 +9,7 @@ import io
 import json
 import os
 import random
+import threading
 import time
 from pathlib import Path
 
@@ -23,17 +24,19 @@ from mdrcontact.cli import main
 from mdrcontact.instruments import schema as measured
 from mdrcontact.problem import edit, schema
 
-for name in ("dash", "dash_ag_grid", "dash_bootstrap_components", "tomlkit", "matplotlib", "selenium", "axe_core_python"):
+for name in ("dash", "dash_ag_grid", "dash_bootstrap_components", "tomlkit", "matplotlib", "selenium", "axe_core_python", "PIL"):
     pytest.importorskip(name)
 
 import axe_core_python  # noqa: E402
 from browser import CHROMIUM, DRIVER, Page, chromium, resize  # noqa: E402
+from PIL import Image  # noqa: E402
 from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
 from selenium.webdriver.common.keys import Keys  # noqa: E402
 from selenium.webdriver.support.ui import Select  # noqa: E402
 
-from mdrcontact.app import design  # noqa: E402
+from mdrcontact.app import Session, design, make_app  # noqa: E402
+from mdrcontact.app.server import listen  # noqa: E402
 
 pytestmark = [
     pytest.mark.slow,
@@ -219,6 +222,100 @@ def test_a_new_command_on_the_same_port_shows_its_own_file(open_page, driver):
     new.wait(lambda: new.said == "Models computed", "the tab is kept")
 
 
+def test_a_server_that_is_gone_or_another_is_an_error(driver):
+    page = Page(driver, text_of("sio2_on_si"))
+    page.idle()
+
+    def alert_after(value):
+        Keyboard(page).send(Keys.ESCAPE)
+        page.wait(lambda: not page.alert, "no message")
+        page.field("compute/max_depth").send_keys(Keys.CONTROL + "a")
+        page.field("compute/max_depth").send_keys(value, Keys.TAB)
+        return page.wait(lambda: page.alert, "an error")
+
+    words = "mdrcontact app no longer answers. Start it again and open the address that it prints."
+    page.close()
+    assert alert_after("40 nm") == words
+    with contextlib.closing(Session()) as other:
+        server = listen(make_app(other), page.server.port)
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        assert alert_after("50 nm") == words
+        server.shutdown()
+        server.server_close()
+    driver.get("about:blank")
+    assert driver.get_log("browser") and driver.get_log("performance")  # of no other test
+
+
+def test_files_of_no_use_are_errors_and_the_next_one_is_read(open_page, tmp_path):
+    page = open_page()
+    page.tab("Measure")
+    wrong = {"picture.png": bytes(range(256)), "empty.csv": b"", "words.txt": b"hello\nthere\n", "bad.toml": b"[indenter\n"}
+    for name, content in wrong.items():
+        (tmp_path / name).write_bytes(content)
+        before = page.alert
+        page.give("drop", tmp_path / name)
+        page.wait(lambda before=before: page.alert not in ("", before), name)
+        assert not page.text and ("not valid TOML" if name == "bad.toml" else name) in page.alert
+    page.give("drop", FITS / "sphere_on_oxide.csv")
+    page.wait(lambda: page.text and not page.alert, "a file is read")
+    page.idle()
+
+
+def test_the_same_file_can_be_opened_again(open_page):
+    page = open_page()
+    for _ in range(2):
+        page.give("open", PROBLEMS / "tin_on_steel.toml")
+        page.wait(lambda: page.text == text_of("tin_on_steel"), "the file")
+        page.idle()
+        page.type("compute/max_depth", "33 nm")
+        assert page.text != text_of("tin_on_steel")
+
+
+def test_a_fit_has_what_is_typed_right_before_the_click(open_page):
+    page = open_page()
+    page.tab("Measure")
+    page.drop(FITS / "sphere_on_oxide.csv", FITS / "sphere_on_oxide.toml")
+    field = page.field("medium/substrate/E")
+    field.send_keys(Keys.CONTROL + "a")
+    field.send_keys("150 GPa")
+    page.fit()
+    assert "150 GPa" in page.text and page.session.jobs.latest.key[1].count("150 GPa") == 1
+    assert not page.one("results").get_attribute("class")
+
+
+def test_a_reload_while_it_computes_continues(open_page, monkeypatch):
+    go, begun = threading.Event(), []
+
+    def stress(problem, progress, **options):
+        begun.append(problem)
+        go.wait(60)
+        return studies.stress(problem, progress=progress, **options)
+
+    monkeypatch.setitem(design.STUDIES, "Stress", design.STUDIES["Stress"]._replace(study=stress))
+    page = open_page()
+    page.idle()
+    page.driver.find_element(By.XPATH, "//label[text()='Stress']").click()
+    page.wait(lambda: page.one("busy").is_displayed())
+    page.driver.refresh()
+    page.wait(lambda: page.all("#design-busy") and page.one("busy").is_displayed())
+    go.set()
+    page.wait(lambda: page.said == "Stress computed")
+    page.idle()
+    assert len(begun) == 1 and page.numbers()
+
+
+def test_a_dark_system_has_legible_figures(open_page, driver):
+    """Chromium would turn the page dark, but not the axes of figures."""
+    page = open_page()
+    page.idle()
+    for dark in (True, False):
+        features = [{"name": "prefers-color-scheme", "value": "dark" if dark else ""}]
+        driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
+        driver.execute_cdp_cmd("Emulation.setAutoDarkModeOverride", {"enabled": dark})
+        pixels = np.asarray(Image.open(io.BytesIO(driver.get_screenshot_as_png())).convert("L")) if dark else pixels
+    assert np.median(pixels) > 230
+
+
 def test_a_problem_file_is_opened_and_the_first_change_is_undone(open_page):
     first, other = text_of("sio2_on_si"), text_of("tin_on_steel")
     page = open_page(first)
@@ -397,9 +494,11 @@ def test_a_narrow_window(open_page, driver):
     page = open_page()
     page.idle()
     wide = "return document.documentElement.scrollWidth"
-    for tab in ("Curves", "Models", "File"):
-        page.tab(tab)
-        assert driver.execute_script(wide) <= 400
+    for width in (680, 320, 400):  # 1360 pixels at 200 %, and the narrowest of WCAG 2.2 (1.4.10)
+        resize(driver, width, 900)
+        for tab in ("Curves", "Models", "File"):
+            page.tab(tab)
+            assert driver.execute_script(wide) <= width
     page.tab("Curves")
     picture(page, "narrow")
     driver.execute_script("arguments[0].scrollIntoView()", page.one("results"))

@@ -127,6 +127,11 @@ def test_what_is_typed():
         edit.value(lists, ("compute", "depths")) == ["10 nm", "20 nm"]
         and inputs(schema.PROBLEM, lists)["compute/depths"] == "10 nm, 20 nm"
     )
+    assert edit.value(changed(FILM, "title", "[draft] a film"), ("title",)) == "[draft] a film"
+    for typed in ("[", "1e999", "NaN"):  # a text, of which the package raises an error
+        text = changed(FILM, "medium/coating/nu", typed)
+        with pytest.raises(mdr.MDRError, match="nu = .*it must be a number"):
+            problem.read_text(text)
     # a key with its unit
     spelled = FILM.replace('radius = "10 um"', "radius_um = 10")
     assert inputs(schema.PROBLEM, spelled)["indenter/radius"] == "10 \u00b5m"

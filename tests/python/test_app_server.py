@@ -386,8 +386,8 @@ def test_the_package_loads_neither_the_page_nor_figures():
     assert "mdrcontact.cli.app" in loaded and not {"dash", "plotly", "flask", "tomlkit", "matplotlib"} & set(loaded.split())
 
 
-def asked_of(client, output, values, changed):
-    """What a callback returns for the values of its inputs and states, as the page asks for it."""
+def asked_once(client, output, values, changed):
+    """The answer of a callback for the values of its inputs and states, as the page asks for it."""
     known = client.get("/_dash-dependencies", base_url=HERE).json
     one = next(one for one in known if one["output"].startswith(f"..{output}."))
 
@@ -396,8 +396,13 @@ def asked_of(client, output, values, changed):
 
     outputs = [dict(zip(("id", "property"), each.rsplit(".", 1), strict=True)) for each in one["output"].strip(".").split("...")]
     body = {"output": one["output"], "outputs": outputs, "inputs": given(one["inputs"]), "state": given(one["state"])}
+    return client.post("/_dash-update-component", base_url=HERE, json={**body, "changedPropIds": [changed]})
+
+
+def asked_of(client, output, values, changed):
+    """What a callback returns at the end of its work."""
     for _ in range(600):
-        answer = client.post("/_dash-update-component", base_url=HERE, json={**body, "changedPropIds": [changed]})
+        answer = asked_once(client, output, values, changed)
         assert answer.status_code == 200
         found = answer.json["response"]
         if found[output.replace("results", "busy")]["hidden"]:
@@ -490,6 +495,17 @@ def test_a_file_that_is_replaced_is_fitted_anew(session, page):
     data = session.fit_file(text).curves(session.files["data.csv"])[0].read()[0]
     fit = mdr.studies.fit(problem, data).fit
     assert fit.as_text("coating.E") in shown[1] and fit.as_text("coating.E") not in shown[0]
+
+
+def test_a_bug_is_reported_on_the_page(session, page, monkeypatch):
+    def broken(*_given):
+        raise ZeroDivisionError("in a callback")
+
+    monkeypatch.setattr("mdrcontact.app.measure.inspected", broken)
+    values = {"measure-names.data": {"names": ["data.csv"], "out": []}, "measure-tab.value": "Data"}
+    answer = asked_once(page, "measure-results", values, "measure-tab.value")
+    words = "This is a bug of mdrcontact, please report it: ZeroDivisionError('in a callback')"
+    assert answer.json["sideUpdate"]["measure-alert"]["children"] == words
 
 
 def test_a_fit_of_files_that_are_gone_is_no_fault(session, page):

@@ -60,7 +60,7 @@ def with_text(data: Any, first: str, text: str, by: str = "") -> dict[str, Any]:
 def register(dash: Dash, name: str, root: Table, first: str, seek: Seek | None = None) -> None:
     """Let the form edit the text, and the text draw the form. seek : edits the text by inputs whose paths begin with #"""
 
-    @results.on(dash, name, ".data alert.children", "form:set.value form:act.n_clicks #undo.n_clicks", "#page.value .data")
+    @results.on(dash, name, ".data! alert.children", "form:set.value form:act.n_clicks #undo.n_clicks", "#page.value .data")
     def change(_values: Any, _clicks: Any, _undo: Any, page: str, data: Any) -> Any:
         """Edit the text by the input or the button that was used."""
         used, value = ctx.triggered_id, ctx.triggered[0]["value"]
@@ -112,10 +112,10 @@ def register(dash: Dash, name: str, root: Table, first: str, seek: Seek | None =
         """Download the problem file."""
         return results.download("problem.toml", text_of(data, first))
 
-    @results.on(dash, name, ".data", "open.contents", ".data")
+    @results.on(dash, name, ".data open.contents", "open.contents", ".data")
     def open_file(content: str, data: Any) -> Any:
         """Show the text of a problem file."""
-        return with_text(data, first, content_of(content).decode("utf-8", "replace"))
+        return with_text(data, first, content_of(content).decode("utf-8", "replace")), None  # the same file can be opened again
 
 
 def _changed(root: Table, text: str, used: Any, value: Any, seek: Seek | None) -> str:

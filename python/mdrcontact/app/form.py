@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from typing import Any, NamedTuple
 
 import dash_bootstrap_components as dbc
 from dash import html
 
 from .._units import with_micro, without_micro
+from ..errors import MDRError
 from ..instruments.files.start_file import MARK
 from ..problem import edit
 from ..problem.field import Field, Table
@@ -126,15 +129,15 @@ def shown(value: Any) -> str:
 
 def typed(one: Field, text: str) -> Any:
     """Return the value that a file has for what is typed; what is no number stays a text, of which the package raises an error."""
-    if text.startswith(("[", "{")):
-        return edit.value(f"given = {text}", ("given",))
+    if text.startswith(("[", "{")) and one.kind != "text":
+        with suppress(MDRError):
+            return edit.value(f"given = {text}", ("given",))
     if one.many:
         return [typed(one._replace(many=False), part.strip()) for part in text.split(",")]
     if one.kind in ("number", "whole number", "boolean"):
-        try:
-            return json.loads(text)
-        except ValueError:
-            return text
+        with suppress(ValueError, OverflowError):
+            value = json.loads(text)
+            return value if math.isfinite(value) else text
     return text
 
 

@@ -208,7 +208,9 @@ def register(dash: Dash, session: Session) -> None:
 
     many.register(dash, session, NAME)
 
-    @results.on(dash, NAME, "names.data .data alert.children tab.value", "drop.contents", "drop.filename names.data .data")
+    @results.on(
+        dash, NAME, "names.data .data alert.children tab.value drop.contents", "drop.contents", "drop.filename names.data .data"
+    )
     def drop(contents: Any, names: Any, old: Any, data: Any) -> Any:
         """Keep the files in the order of their names, and begin with the first one, or with the problem file among them."""
         try:
@@ -217,9 +219,10 @@ def register(dash: Dash, session: Session) -> None:
             rest = [name for name in added if name not in texts]
             given = [session.path(name).read_text("utf-8", "replace") for name in texts]
             text = given[0] if given else inspected(session, rest[0]).inspection.problem
+            edit.value(text, ())  # an error if it is no TOML
         except MDRError as refusal:
-            return no_update, no_update, str(refusal), no_update
-        return {"names": rest, "out": []} if rest else old or known, editor.with_text(data, first, text), "", "Data"
+            return no_update, no_update, str(refusal), no_update, None
+        return {"names": rest, "out": []} if rest else old or known, editor.with_text(data, first, text), "", "Data", None
 
     @results.on(dash, NAME, "sought.children", ".data", first=True)
     def draw(data: Any) -> Any:
@@ -233,9 +236,11 @@ def register(dash: Dash, session: Session) -> None:
         except MDRError:
             return []
 
-    @results.on(dash, NAME, "run.data tab.value", "start.n_clicks", ".data names.data moves.value compare.value")
+    @results.on(dash, NAME, "run.data tab.value", "start.n_clicks .data", "names.data moves.value compare.value")
     def start(clicks: int, data: Any, files: Any, moves: bool, compare: bool) -> Any:
-        """Fit the curves of the files."""
+        """Fit the curves of the files. The text is an input: what is typed right before the click is then in it."""
+        if f"{NAME}-start.n_clicks" not in ctx.triggered_prop_ids:
+            raise PreventUpdate
         options = {"moves": moves, "compare": compare, "run": clicks}
         return {"text": editor.text_of(data, first), **(files or known), **options}, "Fit"
 

@@ -33,19 +33,20 @@ def on(dash: Dash, page: str, outputs: str, inputs: str, states: str = "", first
     """Return a decorator of callbacks.
 
     Places are "part.property" of a page, or of every component with an id of two steps, as in "form:set.value"; ".data" is the text
-    of the page, and "#" begins the id of another component.
+    of the page, and "#" begins the id of another component. For an output with "!" callbacks wait that have it as an input.
 
     first : whether the callback also runs when the page is drawn
     """
-
-    def places(kind: Any, given: str, **options: bool) -> Any:
-        made = [kind(_id(page, part), key, **options) for part, _, key in (one.rpartition(".") for one in given.split())]
-        return made if len(made) > 1 else made[0]
-
-    out = places(Output, outputs, allow_duplicate=not first)
-    known = [places(State, one) for one in states.split()]
-    given = [places(Input, one) for one in inputs.split()]
-    return dash.callback(out, *given, *known, prevent_initial_call=not first)
+    out = [
+        Output(_id(page, part), key.rstrip("!"), allow_duplicate=not (first or key.endswith("!")))
+        for part, _, key in (one.rpartition(".") for one in outputs.split())
+    ]
+    places = [
+        kind(_id(page, part), key)
+        for kind, given in ((Input, inputs), (State, states))
+        for part, _, key in (one.rpartition(".") for one in given.split())
+    ]
+    return dash.callback(out if len(out) > 1 else out[0], *places, prevent_initial_call=not first)
 
 
 def _id(page: str, part: str) -> Any:
@@ -89,12 +90,16 @@ def show(parts: Any, said: str = "") -> list[Any]:
 
 def show_refusal(name: str, refusal: Exception) -> list[Any]:
     """Show why there is no result; old results stay, dimmed, unless the tab is another."""
-    words = str(refusal) if isinstance(refusal, MDRError) else f"This is a bug of mdrcontact, please report it: {refusal!r}"
-    words = "The work was cancelled." if isinstance(refusal, CancelledError) else words
     place = None
     if isinstance(refusal, ProblemError) and refusal.path:
         place = "/".join(map(str, refusal.path[:-1] if refusal.entry else refusal.path)), refusal.advice
-    return [_old(name), "dimmed", words, place, "", True, True, []]
+    return [_old(name), "dimmed", words_of(refusal), place, "", True, True, []]
+
+
+def words_of(refusal: Exception) -> str:
+    """Return what the alert has for an error."""
+    words = str(refusal) if isinstance(refusal, MDRError) else f"This is a bug of mdrcontact, please report it: {refusal!r}"
+    return "The work was cancelled." if isinstance(refusal, CancelledError) else words
 
 
 def show_study(

@@ -8,13 +8,14 @@ import socket
 from pathlib import Path
 from typing import Any
 
-from dash import Dash
+from dash import Dash, set_props
 from dash.exceptions import DependencyException
 from flask import Flask, Response, abort, request
 from werkzeug.serving import BaseWSGIServer, WSGIRequestHandler, make_server
 
 from ..errors import MDRError
 from ..problem.named import LARGEST_FILE
+from .results import words_of
 from .session import Session
 
 HOST = "127.0.0.1"
@@ -57,8 +58,15 @@ def make_dash() -> Dash:
         add_log_handler=False,
         enable_mcp=False,
         use_pages=False,
+        on_error=_report,
         suppress_callback_exceptions=True,  # some components are there only with their results
     )
+
+
+def _report(problem: Exception) -> None:
+    """Show an error of a callback, which otherwise leaves the page as it is."""
+    for name in ("design", "measure"):
+        set_props(f"{name}-alert", {"children": words_of(problem)})
 
 
 def guard(dash: Dash, session: Session) -> None:

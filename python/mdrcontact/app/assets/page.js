@@ -1,4 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+const say = words => {
+  const alert = document.querySelector("section:not([hidden]) [role=alert]");
+  if (alert) dash_clientside.set_props(alert.id, { children: words });
+};
+
+// Dash shows nothing if the server does not answer, or is another one.
+const ask = window.fetch;
+window.fetch = async (...request) => {
+  const answer = await ask(...request).catch(() => null);
+  if (!answer || answer.status === 403) say("mdrcontact app no longer answers. Start it again and open the address that it prints.");
+  return answer ?? Response.error();
+};
+
 // The server does not read larger drops, and dcc.Upload reports no rejected files.
 const MOST = 290e6;
 
@@ -10,8 +23,7 @@ for (const kind of ["change", "drop"]) {
       event.preventDefault();
       event.stopPropagation();
       if (kind === "change") event.target.value = "";
-      const words = `files: together they have more than ${MOST / 1e6} MB. Drop fewer or smaller files.`;
-      dash_clientside.set_props(place.id.replace(/-.*/, "-alert"), { children: words });
+      say(`files: together they have more than ${MOST / 1e6} MB. Drop fewer or smaller files.`);
     }
   }, true);
 }
@@ -21,8 +33,7 @@ let typed = null;
 document.addEventListener("input", event => { typed = event.target; }, true);
 document.addEventListener("change", () => { typed = null; }, true);
 document.addEventListener("keydown", event => {
-  const alert = document.querySelector("section:not([hidden]) [role=alert]");
-  if (event.key === "Escape" && alert) dash_clientside.set_props(alert.id, { children: "" });
+  if (event.key === "Escape") say("");
   if ((event.ctrlKey || event.metaKey) && !event.shiftKey && event.key === "z" && event.target !== typed) {
     event.preventDefault();
     document.getElementById("undo").click();
