@@ -502,7 +502,7 @@ def test_a_bug_is_reported_on_the_page(session, page, monkeypatch):
         raise ZeroDivisionError("in a callback")
 
     monkeypatch.setattr("mdrcontact.app.measure.inspected", broken)
-    values = {"measure-names.data": {"names": ["data.csv"], "out": []}, "measure-tab.value": "Data"}
+    values = {"measure-names.data": {"names": ["data.csv"]}, "measure.data": {"text": ""}, "measure-tab.value": "Data"}
     answer = asked_once(page, "measure-results", values, "measure-tab.value")
     words = "This is a bug of mdrcontact, please report it: ZeroDivisionError('in a callback')"
     assert answer.json["sideUpdate"]["measure-alert"]["children"] == words

@@ -55,18 +55,17 @@ def layout(session: Session) -> list[Any]:
     example = html.Div([html.Label("example", htmlFor=f"{NAME}-example"), select], className="row")
     head = html.Div([html.Div(editor.buttons(NAME), className="buttons"), example], className="head")
     left = html.Form([head, html.Div(id=f"{NAME}-form")], className="form")
-    return [*editor.stores(NAME), left, results.frame(NAME, [*STUDIES, _FILE])]
+    return [*editor.stores(NAME, session.text or examples()[_FIRST]), left, results.frame(NAME, [*STUDIES, _FILE])]
 
 
 def register(dash: Dash, session: Session) -> None:
     """Register the callbacks."""
-    first = session.text or examples()[_FIRST]
-    editor.register(dash, NAME, schema.PROBLEM, first)
+    editor.register(dash, NAME, schema.PROBLEM)
 
     @results.on(dash, NAME, results.SHOWN, ".data tab.value again.n_intervals cancel.n_clicks", first=True)
     def compute(data: Any, tab: str, _ticks: Any, _cancel: Any) -> Any:
         """Show the results of the text."""
-        text = editor.text_of(data, first)
+        text = data["text"]
         if tab == _FILE:
             return results.show(_file(text))
         study, options, _ = STUDIES[tab]
@@ -82,7 +81,7 @@ def register(dash: Dash, session: Session) -> None:
     @results.on(dash, NAME, "file.data", "of:get.n_clicks", ".data tab.value")
     def get(clicks: Any, data: Any, tab: str) -> Any:
         """Download a file of the result."""
-        found = session.jobs.find((NAME, tab, editor.text_of(data, first)))
+        found = session.jobs.find((NAME, tab, data["text"]))
         if found is None or not any(clicks):
             raise PreventUpdate
         return results.written(found, ctx.triggered_id["get"], _command(tab))
@@ -92,7 +91,7 @@ def register(dash: Dash, session: Session) -> None:
         """Begin with an example."""
         if not name:
             raise PreventUpdate
-        return editor.with_text(data, first, examples()[name]), ""
+        return editor.with_text(data, examples()[name]), ""
 
 
 def _file(text: str) -> list[Any]:

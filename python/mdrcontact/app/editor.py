@@ -25,9 +25,9 @@ _MOST = 50
 """Texts that can be undone."""
 
 
-def stores(name: str) -> list[Any]:
-    """Return what keeps the text, its refusal, and the structure of the form that is drawn."""
-    kept = dcc.Store(id=name, storage_type="session")
+def stores(name: str, first: str) -> list[Any]:
+    """Return what keeps the text, its refusal, and the structure of the form that is drawn. first : text before any change"""
+    kept = dcc.Store(id=name, storage_type="session", data={"text": first, "past": [], "by": ""})
     return [kept, dcc.Store(id=f"{name}-drawn"), dcc.Store(id=f"{name}-where"), dcc.Download(id=f"{name}-file")]
 
 
@@ -46,18 +46,12 @@ def file_tab(name: str, text: str, commands: list[str], python: list[str]) -> li
     return [*parts, html.H2("The same in Python"), html.Pre("\n".join(python))] if python else parts
 
 
-def text_of(data: Any, first: str) -> str:
-    """Return the text of a state; the first one before any change."""
-    return str(data["text"]) if data else first
+def with_text(data: Any, text: str, by: str = "") -> dict[str, Any]:
+    """Return the state with another text; the old one can be undone. by : path of the input or the button of the change"""
+    return {"text": text, "past": [one for one in (*data["past"], data["text"]) if one][-_MOST:], "by": by}
 
 
-def with_text(data: Any, first: str, text: str, by: str = "") -> dict[str, Any]:
-    """Return the state with another text; the old one can be undone."""
-    past = [*(data["past"] if data else []), text_of(data, first)]
-    return {"text": text, "past": [one for one in past if one][-_MOST:], "by": by}
-
-
-def register(dash: Dash, name: str, root: Table, first: str, seek: Seek | None = None) -> None:
+def register(dash: Dash, name: str, root: Table, seek: Seek | None = None) -> None:
     """Let the form edit the text, and the text draw the form. seek : edits the text by inputs whose paths begin with #"""
 
     @results.on(dash, name, ".data! alert.children", "form:set.value form:act.n_clicks #undo.n_clicks", "#page.value .data")
@@ -65,41 +59,39 @@ def register(dash: Dash, name: str, root: Table, first: str, seek: Seek | None =
         """Edit the text by the input or the button that was used."""
         used, value = ctx.triggered_id, ctx.triggered[0]["value"]
         if used == "undo":
-            past = (data or {}).get("past")
-            if not past or page.lower() != name:
+            if not data["past"] or page.lower() != name:
                 raise PreventUpdate
-            return {"text": past[-1], "past": past[:-1], "by": ""}, ""
+            *past, text = data["past"]
+            return {"text": text, "past": past, "by": ""}, ""
         if used is None or len(ctx.triggered) > 1 or value is None or ("act" in used and not value):
             raise PreventUpdate  # the form was drawn
-        text = text_of(data, first)
         try:
-            new = _changed(root, text, used, value, seek)
+            new = _changed(root, data["text"], used, value, seek)
         except MDRError as refusal:
             return no_update, str(refusal)
-        if new == text:
+        if new == data["text"]:
             raise PreventUpdate
         by = "" if used.get("set") == TEXT else used.get("set") or used["act"]
-        return with_text(data, first, new, by), no_update
+        return with_text(data, new, by), no_update
 
     @results.on(dash, name, "form.children form:part.children drawn.data", ".data", "drawn.data form:part.id", first=True)
     def draw(data: Any, drawn: Any, ids: Any) -> Any:
         """Draw the form; after an input only the parts that have other rows, so that the focus stays."""
-        by, text = data["by"] if data else "", text_of(data, first)
-        if not text:
-            return [], [no_update] * len(ids), None
+        kept, by = [no_update] * len(ids), data["by"]
+        if not data["text"]:
+            return [], kept, None
         try:
-            whole = form(name, root, text, by)
+            whole = form(name, root, data["text"], by)
         except MDRError:
             raise PreventUpdate from None  # the text is no TOML, which the results say
         found = parts_of(whole)
         structure = {path: own for path, (_, own) in found.items()}
-        kept = [no_update] * len(ids)
         if not by or not drawn or structure[""] != drawn[""]:
             return whole, kept, structure
         changed = {path for path, own in structure.items() if drawn.get(path) != own}
         inner = {path for path in changed for other in changed if path.startswith(f"{other}/")}
-        paths = [one["part"] for one in ids]
-        return no_update, [found[path][0].children if path in changed - inner else no_update for path in paths], structure
+        parts = [found[path][0].children if path in changed - inner else no_update for path in (one["part"] for one in ids)]
+        return no_update, parts, structure
 
     @results.on(dash, name, "form:error.children", "where.data drawn.data", "form:error.id", first=True)
     def mark(where: Any, _drawn: Any, ids: Any) -> Any:
@@ -110,12 +102,12 @@ def register(dash: Dash, name: str, root: Table, first: str, seek: Seek | None =
     @results.on(dash, name, "file.data", "save.n_clicks", ".data")
     def save(_clicks: int, data: Any) -> Any:
         """Download the problem file."""
-        return results.download("problem.toml", text_of(data, first))
+        return results.download("problem.toml", data["text"])
 
     @results.on(dash, name, ".data open.contents", "open.contents", ".data")
     def open_file(content: str, data: Any) -> Any:
         """Show the text of a problem file."""
-        return with_text(data, first, content_of(content).decode("utf-8", "replace")), None  # the same file can be opened again
+        return with_text(data, content_of(content).decode("utf-8", "replace")), None  # the same file can be opened again
 
 
 def _changed(root: Table, text: str, used: Any, value: Any, seek: Seek | None) -> str:

@@ -85,7 +85,7 @@ def register(dash: Dash, session: Session, page: str) -> None:
             return {**run, **files}, files, no_update
         tests = [name.removeprefix(f"{names[0]} ") for name in out]
         text = edit.changed(run["text"], _OUT, tests) if tests else edit.without(run["text"], _OUT)
-        return {**run, "text": text}, no_update, editor.with_text(data, run["text"], text)
+        return {**run, "text": text}, no_update, editor.with_text(data, text)
 
     @results.on(dash, page, "#many-one.children", f"#{GRID}.cellClicked", "run.data")
     def one(cell: Any, run: Any) -> Any:

@@ -66,7 +66,7 @@ def inspected(session: Session, name: str) -> Any:
     return session.jobs.now(("inspect", name, path.stat().st_mtime_ns), lambda: studies.inspect(path))
 
 
-def layout(_session: Session) -> list[Any]:
+def layout(session: Session) -> list[Any]:
     """Return the form and the results."""
     words = "Drop files of an instrument here, or choose them"
     drop = html.Label([words, dcc.Upload("", id=f"{NAME}-drop", multiple=True)], className="drop")
@@ -77,8 +77,10 @@ def layout(_session: Session) -> list[Any]:
         [html.Div([start, *editor.buttons(NAME)], className="buttons"), html.Div(boxes, className="buttons")], className="head"
     )
     left = [drop, head, html.Div(id=f"{NAME}-form"), html.Div(id=f"{NAME}-sought")]
-    stores = [dcc.Store(id=f"{NAME}-{name}", storage_type="session") for name in ("names", "run")]
-    return [*editor.stores(NAME), *stores, html.Form(left, className="form"), results.frame(NAME, ["Data", "Fit", "File"])]
+    first, names = begin(session)
+    data = {"names": {"names": names, "out": []}, "run": None}
+    stores = [dcc.Store(id=f"{NAME}-{name}", storage_type="session", data=one) for name, one in data.items()]
+    return [*editor.stores(NAME, first), *stores, html.Form(left, className="form"), results.frame(NAME, ["Data", "Fit", "File"])]
 
 
 def free_of(text: str) -> dict[str, Mapping[str, Any]]:
@@ -125,7 +127,7 @@ def seek(session: Session, text: str, path: Path, value: Any) -> str:
         return edit.without(text, (*_AT, name)) if any(free.values()) else edit.changed(text, _AT, rest)
     value = without_micro(value) if what == _PRIOR else value
     if what == _PRIOR and value:
-        now = numbers_of(session, text)[name] or 0.0
+        now = numbers_of(session, text).get(name) or 0.0
         is_plain = dimension_of(name) == RATIO
         known |= {
             "prior": now if is_plain else shown(now, dimension_of(name), 9),
@@ -202,10 +204,7 @@ def file_of(session: Session, run: Mapping[str, Any], found: Any, what: str) -> 
 
 def register(dash: Dash, session: Session) -> None:
     """Register the callbacks."""
-    first, files_known = begin(session)
-    known = {"names": files_known, "out": []}
-    editor.register(dash, NAME, _ROOT, first, lambda text, path, value: seek(session, text, path, value))
-
+    editor.register(dash, NAME, _ROOT, lambda text, path, value: seek(session, text, path, value))
     many.register(dash, session, NAME)
 
     @results.on(
@@ -222,12 +221,12 @@ def register(dash: Dash, session: Session) -> None:
             edit.value(text, ())  # an error if it is no TOML
         except MDRError as refusal:
             return no_update, no_update, str(refusal), no_update, None
-        return {"names": rest, "out": []} if rest else old or known, editor.with_text(data, first, text), "", "Data", None
+        return {"names": rest, "out": []} if rest else old, editor.with_text(data, text), "", "Data", None
 
     @results.on(dash, NAME, "sought.children", ".data", first=True)
     def draw(data: Any) -> Any:
         """Draw what is sought, unless a row of it was changed, which shows what the user did."""
-        text, by = editor.text_of(data, first), data["by"] if data else ""
+        text, by = data["text"], data["by"]
         before = free_of(data["past"][-1]) if by.startswith("#") else {}
         if by.startswith("#") and not (by.startswith(_FREE) and before.get(by.partition("/")[2])):
             raise PreventUpdate
@@ -242,12 +241,12 @@ def register(dash: Dash, session: Session) -> None:
         if f"{NAME}-start.n_clicks" not in ctx.triggered_prop_ids:
             raise PreventUpdate
         options = {"moves": moves, "compare": compare, "run": clicks}
-        return {"text": editor.text_of(data, first), **(files or known), **options}, "Fit"
+        return {"text": data["text"], **files, **options}, "Fit"
 
     @results.on(dash, NAME, results.SHOWN, "run.data .data names.data tab.value again.n_intervals cancel.n_clicks", first=True)
     def compute(run: Any, data: Any, files: Any, tab: str, _ticks: Any, _cancel: Any) -> Any:
         """Show what the files have, or what the fit finds."""
-        text, files = editor.text_of(data, first), files or known
+        text = data["text"]
         if tab == "File":
             return results.show(editor.file_tab(NAME, text, [command_of({**files, "names": files["names"] or ["DATA"]})], []))
         if not files["names"]:
@@ -276,7 +275,7 @@ def register(dash: Dash, session: Session) -> None:
         for one, figure in zip(chosen, figures, strict=True):
             if one and one.get("range"):
                 axis = figure["layout"]["xaxis"]["title"]["text"]
-                return editor.with_text(data, first, ranged(editor.text_of(data, first), axis, one["range"]["x"]))
+                return editor.with_text(data, ranged(data["text"], axis, one["range"]["x"]))
         raise PreventUpdate
 
     @results.on(dash, NAME, "file.data", "of:get.n_clicks", "run.data")

@@ -48,8 +48,10 @@ _TICKS = 7
 _WARNING = "#a33c00"
 _FLAT = 0.3
 """Height over width of a map below which its bar does not fit next to it."""
-_LEGEND_BELOW = 6
-"""More names than this are below the figure."""
+LEGEND_BELOW = 6
+"""More names than this are below the figure, or next to the panel."""
+DECADES = 300.0
+"""Ratio of the ends of a logarithmic axis from which on powers of ten are enough."""
 
 
 def colour(of: int | str) -> str:
@@ -118,11 +120,11 @@ def _drawn(figure: Figure) -> Any:
     names = [part.name for part in figure.panels[0].parts if isinstance(part, Line) and part.name]
     for axis, panel in zip(axes, figure.panels, strict=False):
         _draw_panel(drawn, axis, panel)
-        if len(names) <= _LEGEND_BELOW and axis.get_legend_handles_labels()[1]:
+        if len(names) <= LEGEND_BELOW and axis.get_legend_handles_labels()[1]:
             axis.legend()
     for axis in axes[len(figure.panels) :]:
         axis.set_axis_off()
-    if len(names) > _LEGEND_BELOW:
+    if len(names) > LEGEND_BELOW:
         drawn.legend(axes[0].get_legend_handles_labels()[0], names, loc="outside lower center", ncols=5)
     return drawn
 
@@ -226,7 +228,7 @@ def _set_axis(axis: Any, name: str, side: Axis) -> None:
     if side.log:
         getattr(axis, f"set_{name}scale")("log")
         first, last = getattr(axis, f"get_{name}lim")()
-        if last < 300.0 * first:  # below three decades, powers of ten are too few
+        if last < DECADES * first:
             one.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0), numticks=12))
             one.set_major_formatter(StrMethodFormatter("{x:g}"))
             one.set_minor_formatter(NullFormatter())

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from .matplotlib import colour
+from .matplotlib import DECADES, LEGEND_BELOW, colour
 from .panel import Array, Axis, Band, Bars, Cells, Figure, Label, Line, Panel, Part, Rule, limits, side_of
 
 _DASHES = ("solid", "dash", "dot")
@@ -23,12 +23,8 @@ _LAYOUT: dict[str, Any] = {
 }
 _SIDE: dict[str, Any] = {"gridcolor": "#e6e6e6", "linecolor": "#8a9099", "showline": True, "zeroline": False, "ticks": "outside"}
 _SIDE |= {"ticklen": 4, "automargin": True, "exponentformat": "power"}
-_LEGEND_BELOW = 6
-"""More names than this are next to the panel."""
 _WHOLE = 12
 """Counts up to this one each have a tick."""
-_DECADES = 300.0
-"""A logarithmic axis from which on powers of ten are enough."""
 
 
 def draw(figure: Figure) -> list[Any]:
@@ -52,8 +48,8 @@ def _panel(panel: Panel) -> dict[str, Any]:
     if panel.downward:
         y |= {"range": y["range"][::-1]} if "range" in y else {"autorange": "reversed"}
     below = {"orientation": "h", "yref": "container", "y": 0.0, "yanchor": "bottom"}
-    legend = {"font": {"size": 11}, **(below if names <= _LEGEND_BELOW else {})}
-    margin = {"l": 64, "r": 16, "t": 40 if panel.title else 16, "b": 84 if 0 < names <= _LEGEND_BELOW else 48}
+    legend = {"font": {"size": 11}, **(below if names <= LEGEND_BELOW else {})}
+    margin = {"l": 64, "r": 16, "t": 40 if panel.title else 16, "b": 84 if 0 < names <= LEGEND_BELOW else 48}
     title = {"text": _plain(panel.title), "font": {"size": _SIZE + 1}, "x": 0.5}
     own = {
         "xaxis": x,
@@ -159,7 +155,7 @@ def _side(panel: Panel, axis: Axis, name: str) -> dict[str, Any]:
         first, last = np.nanmin(found[found > 0.0]), np.nanmax(found)
         steps = [k * 10.0**n for n in range(math.floor(math.log10(first)) - 1, math.ceil(math.log10(last)) + 1) for k in (1, 2, 5)]
         made |= {"type": "log", "dtick": 1}
-        made |= {"tickvals": steps, "ticktext": [f"{one:g}" for one in steps]} if last < _DECADES * first else {}
+        made |= {"tickvals": steps, "ticktext": [f"{one:g}" for one in steps]} if last < DECADES * first else {}
         low, high = (end if end is None else math.log10(end) for end in (low, high))
     elif axis.names:
         made |= {"tickvals": [*range(1, len(axis.names) + 1)], "ticktext": [*map(_plain, axis.names)], "tickangle": -90}
