@@ -7,9 +7,12 @@ const say = words => {
 // Dash shows nothing if the server does not answer, or is another one.
 const ask = window.fetch;
 window.fetch = async (...request) => {
-  const answer = await ask(...request).catch(() => null);
-  if (!answer || answer.status === 403) say("mdrcontact app no longer answers. Start it again and open the address that it prints.");
-  return answer ?? Response.error();
+  let answer;
+  try {
+    return answer = await ask(...request);
+  } finally {
+    if (!answer || answer.status === 403) say("mdrcontact app no longer answers. Start it again and open the address that it prints.");
+  }
 };
 
 // The server does not read larger drops, and dcc.Upload reports no rejected files.
