@@ -94,7 +94,8 @@ QUANTITIES: Mapping[str, Dimension] = {
 }
 """Dimensions of states, histories and measurements by name."""
 _USUAL = (LENGTH, FORCE, STIFFNESS, MODULUS, TIME, AREA, VOLTAGE)
-"""Dimensions of the columns of tables."""
+"""Dimensions of the columns of tables; no two of them have a unit in common."""
+_USUAL_NAMES = frozenset(name for dimension in _USUAL for name, _ in dimension.practical)
 
 _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\W\d_].*?)?\s*")
 
@@ -122,17 +123,28 @@ def to_si(value: float | str, unit: str, dimension: Dimension) -> float:
     return float(Decimal(str(value)) * factor) if finite else float(value)
 
 
-@functools.lru_cache(maxsize=1000)
 def _factor(unit: str, dimension: Dimension) -> Decimal:
-    """Return the number of SI units of `dimension` in one `unit`.
+    """Return the number of SI units of `dimension` in one `unit`."""
+    if len(unit) > _LONGEST_UNIT:
+        raise UnitError(f"there is no unit {unit[:20] + '...'!r} of {len(unit)} characters")
+    found = _factor_or_reason(unit, dimension)
+    if isinstance(found, str):
+        raise UnitError(found)
+    return found
+
+
+@functools.lru_cache(maxsize=1000)
+def _factor_or_reason(unit: str, dimension: Dimension) -> Decimal | str:
+    """Return the number of SI units of `dimension` in one `unit`, or the error.
 
     pint takes radians, turns and counts for plain numbers. Here they are units of their own: an angle is no ratio.
     """
-    if len(unit) > _LONGEST_UNIT:
-        raise UnitError(f"there is no unit {unit[:20] + '...'!r} of {len(unit)} characters")
     for name, factor in dimension.practical:
         if unit == name:  # usual units: pint takes half a second to begin
             return Decimal(repr(factor))
+    other = f'{unit!r} is not a unit of {dimension.name}: write it as in "{dimension.example}"{dimension.hint}'
+    if dimension in _USUAL and unit in _USUAL_NAMES:
+        return other
     try:
         parsed = _registry().Unit("" if unit in _PLAIN else unit)
         one = _registry().Quantity(Decimal(1), _as_turns(parsed) if dimension == FREQUENCY else parsed).to_root_units()
@@ -141,8 +153,8 @@ def _factor(unit: str, dimension: Dimension) -> Decimal:
             return Decimal(one.magnitude / si.magnitude)
     except Exception:  # noqa: BLE001 - what is no unit makes pint raise almost anything, down to tokenizer errors
         known = [name for name, _ in dimension.practical] + list(dimension.others)
-        raise UnitError(f"there is no unit {unit!r}: {nearest(unit, known)}") from None
-    raise UnitError(f'{unit!r} is not a unit of {dimension.name}: write it as in "{dimension.example}"{dimension.hint}')
+        return f"there is no unit {unit!r}: {nearest(unit, known)}"
+    return other
 
 
 def _as_turns(unit: Any) -> Any:
@@ -167,10 +179,13 @@ def is_cyclic(unit: str) -> bool:
 
 def is_unit(text: str) -> bool:
     """Return whether a text is a unit, "%" and "-" for plain numbers included."""
-    if text == "%" or text in _PLAIN or any(text == name for dimension in _USUAL for name, _ in dimension.practical):
+    if text == "%" or text in _PLAIN or text in _USUAL_NAMES:
         return True
-    if len(text) > _LONGEST_UNIT:
-        return False
+    return len(text) <= _LONGEST_UNIT and _is_registered(text)
+
+
+@functools.lru_cache(maxsize=1000)
+def _is_registered(text: str) -> bool:
     try:
         _registry().Unit(text)
     except Exception:  # noqa: BLE001 - what is no unit makes pint raise almost anything

@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Problem files: what they say, units, and every kind of fault in them."""
 
+import itertools
 import math
+import re
+import subprocess
+import sys
 import time
 
 import pytest
@@ -88,6 +92,27 @@ def test_units_in_the_key_say_the_same(tmp_path):
 )
 def test_quantities(text, dimension, value):
     assert parse(text, dimension) == pytest.approx(value, rel=1e-14)
+
+
+def test_usual_units_of_another_dimension_raise_as_pint_does():
+    """Between the dimensions of tables no unit is common, so that their usual units need no registry."""
+    pint = units._registry()
+    for one, other in itertools.permutations(units._USUAL, 2):
+        assert pint.Unit(one.si).dimensionality != pint.Unit(other.si).dimensionality
+        for name, _ in other.practical:
+            assert units.is_unit(name)
+            for _ in range(2):
+                with pytest.raises(UnitError, match=f"'{re.escape(name)}' is not a unit of {one.name}"):
+                    units.to_si(1.0, name, one)
+
+
+def test_a_fit_in_usual_units_does_not_load_pint():
+    """pint takes half a second to begin."""
+    path = ROOT / "examples" / "fit" / "sphere_on_oxide.csv"
+    words = ["fit", str(path), "--problem", str(path.with_suffix(".toml"))]
+    text = f"import sys; from mdrcontact.cli import main; assert main({words}) == 0; sys.exit('pint' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
 
 
 @pytest.mark.parametrize(

@@ -13,6 +13,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from mdrcontact.instruments.reading import cells
 from mdrcontact.instruments.reading.columns import TableOptions, read_table
 from mdrcontact.problem import ProblemError
 
@@ -85,6 +86,50 @@ def read(tmp_path, text, options=None):
     path = tmp_path / "table.txt"
     path.write_text(text, encoding="utf-8")
     return read_table(path, options)
+
+
+def outcome(path):
+    """What a table is read as, or the error."""
+    try:
+        table = read_table(path)
+    except ProblemError as problem:
+        return str(problem)
+    return table.titles, table.values.tobytes(), table.values.shape, table.notes, table.units, table.warnings
+
+
+@settings(max_examples=int(os.environ.get("MDRCONTACT_DRAWS", "200")), deadline=None, suppress_health_check=list(HealthCheck))
+@given(dialects())
+def test_numbers_below_words_are_read_as_cells_are(tmp_path_factory, drawn):
+    """Lines of numbers alone are read by NumPy, with the same outcome as cell by cell."""
+    path = tmp_path_factory.mktemp("table") / "table.txt"
+    path.write_bytes(drawn[0])
+    found = outcome(path)
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(cells, "_words_above", len)
+        assert outcome(path) == found
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "depth [nm],force [mN]\n1,2\n2,3\n3,4\n",
+        "depth [nm],force [mN],\n1,2,\n2,3,\n3,4,\n",
+        'a,b\n"1\n2",3\n1,2\n2,3\n',
+        "depth [nm] force [mN]\n 1  2\n 2  3 \n 3 4\n",
+        "a;b\n1,5;2\n2,25;3\n3;4\n",
+        "a;b\n1.250;2\n2.125;3\n",
+        "a\tb\n1\t2\n1\t2\t3\n2\t3\n",
+        "a,b\n1,2\nend,of\n2,3\n3,4\n4,5\n",
+        "a,b\ne,E\n1,2\n2,3\n",
+        "a;b\n1;\n2;3\n;4\n5;6\n",
+    ],
+)
+def test_lines_of_numbers_are_read_as_cells_are(text, tmp_path, monkeypatch):
+    path = tmp_path / "table.txt"
+    path.write_text(text)
+    found = outcome(path)
+    monkeypatch.setattr(cells, "_words_above", len)
+    assert outcome(path) == found
 
 
 @pytest.mark.parametrize(

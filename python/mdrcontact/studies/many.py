@@ -17,7 +17,7 @@ from .._units import ENERGY, FORCE, LENGTH, RATIO, Unit, practical
 from ..errors import MDRError
 from ..instruments.files.curves import Curve
 from ..instruments.files.fit_file import FitFile
-from ..instruments.fitting import FailedFit, FitResult, FitResults, MeanOfTests, Rating, fit_many, mean_of_tests, rate
+from ..instruments.fitting import FailedFit, FitResult, FitResults, MeanOfTests, Rating, fit_many, mean_of_tests
 from ..instruments.fitting.causes import by_cause
 from ..instruments.fitting.data import Data
 from ..instruments.fitting.many import WITHOUT_MODEL, by_curve, histogram, parameter
@@ -200,7 +200,9 @@ def many(problem: FitFile, curves: Sequence[Curve], *, keep_all: bool = False, p
     notes: dict[int, list[str]] = {}
     tasks = [functools.partial(_only_data, curve, i, notes) for i, curve in enumerate(curves)]
     results = fit_many(tasks, progress=lambda done: progress.step(done, total, "curves"), **problem.arguments)
-    fitted = [_rated(curve, r, keep_all) for curve, r in zip(curves, results, strict=True) if isinstance(r, FitResult)]
+    read = [curve for curve, one in zip(curves, results, strict=True) if isinstance(one, FitResult)]
+    rated = zip(read, results.fitted, results.ratings, strict=True)
+    fitted = [Fitted(curve, one, rating, keep_all or rating.is_sound) for curve, one, rating in rated]
     failed = [(c.name, f"not fitted: {r.error}") for c, r in zip(curves, results, strict=True) if isinstance(r, FailedFit)]
     if not fitted:
         raise MDRError(f"no curve could be fitted: {'; '.join(f'{name}: {words}' for name, words in failed[:3])}")
@@ -261,11 +263,6 @@ def _places(curves: Sequence[Curve]) -> list[Column | Words]:
 def _only_data(curve: Curve, i: int, notes: dict[int, list[str]]) -> Data:
     data, notes[i] = curve.read()
     return data
-
-
-def _rated(curve: Curve, result: FitResult, keep_all: bool) -> Fitted:
-    rating = rate(result)
-    return Fitted(curve, result, rating, keep_all or rating.is_sound)
 
 
 def _verdict(count: int, fitted: Sequence[Fitted]) -> dict[str, str]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from array import array
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -154,6 +155,9 @@ def _runs(file: Block) -> list[_Run]:
 
 def _counted(row: Sequence[str]) -> tuple[int, int, int]:
     """Counts of cells with numbers, of cells that mark missing numbers, and of used cells, without empty ones at the end."""
+    with suppress(ValueError):
+        if all(map(math.isfinite, map(float, row))):
+            return len(row), 0, len(row)
     numbers = gaps = used = 0
     for i, cell in enumerate(row, start=1):
         if not cell:

@@ -39,6 +39,8 @@ _EASTERN = ("cp932", "gb18030")
 _HEAD = 20_000
 """Bytes in which titles stand."""
 _STRETCH, _MANY_LINES = 4096, 100_000
+_NUMERIC = re.compile(r"[0-9.,;eE+\-\t ]+")
+"""Lines that may be numbers alone."""
 
 
 class Cells(ABC):
@@ -113,6 +115,7 @@ class Text(Cells):
                 lines: Sequence[int] = range(first, last)
                 rows: list[list[str]] = []
                 if found is None:
+                    last = first + _words_above(self._lines[first:last])
                     reader = _reader(self._lines[first : last + _LONGEST_CELL], self._separator)
                     numbered = list(self._until(reader, first, last))
                     last = first + reader.line_num
@@ -312,6 +315,14 @@ def _numbers_of(lines: list[str], separator: str) -> tuple[NDArray[np.float64], 
     except ValueError:
         return None
     return (numbers, "." if points else "," if commas else "") if np.isfinite(numbers).all() else None
+
+
+def _words_above(lines: Sequence[str]) -> int:
+    """How many lines to read by cells: those above numbers that continue to the last line, or all."""
+    count = len(lines)
+    while count and _NUMERIC.fullmatch(lines[count - 1]):
+        count -= 1
+    return count or len(lines)
 
 
 def _separator_of(lines: Sequence[str]) -> str:

@@ -20,6 +20,8 @@ NAMED_TESTS = (re.compile(r"[XY]_(?P<test>.+?)_(?P<name>[^_]+)_(?P<unit>[\[(][^\
 _NUMBER = re.compile(r"(?<!\d)(?<!\d\.)\d+(?!\.?\d)")
 _WORD = re.compile(r"[^\W_]+")
 _BRACKETS = re.compile(r"[\[({].*?[\])}]")
+_WAYS = [[re.compile(rf"(?<![^\W_]){word}(?![^\W_])", re.IGNORECASE) for word in words] for words in DIRECTIONS]
+"""Words for loading and for unloading."""
 _FEWEST = 2
 """Columns of a test."""
 _EQUAL = 1e-6
@@ -137,8 +139,7 @@ def _are_equal(one: Array, other: Array) -> bool:
 
 def in_and_out(titles: Sequence[str]) -> Mapping[int, int]:
     """For each column of loading that of unloading, found by the titles; empty if one has none."""
-    for words in DIRECTIONS:
-        into, out = (re.compile(rf"(?<![^\W_]){word}(?![^\W_])", re.IGNORECASE) for word in words)
+    for into, out in _WAYS:
         plain = {out.sub("", title): place for place, title in enumerate(titles) if out.search(title)}
         pairs = {i: plain[rest] for i, title in enumerate(titles) if into.search(title) and (rest := into.sub("", title)) in plain}
         if len(pairs) > 1 and all(re.search(r"\w{2}", rest) for rest in plain):
