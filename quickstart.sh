@@ -16,7 +16,7 @@ say "2/3 Python package in .venv"
 install_python_package all
 
 say "3/3 Contact of coated bodies"
-examples/problems/run.sh .venv/bin/mdrcontact output
+.venv/bin/python examples/problems/run.py output
 
 say "Done in $SECONDS s. Plots and tables:"
 for file in output/*.png output/*.csv; do

@@ -14,6 +14,7 @@ import io
 import os
 import pickle
 import resource
+import runpy
 import subprocess
 import sys
 import tempfile
@@ -123,6 +124,22 @@ def _folder() -> Numbers:
         before = spent()
         found = command("fit", "curves", "--problem", "fit.toml")
         return {"output": found["output"], "seconds": spent() - before}
+
+
+@row("command: all problems of quickstart.sh (before: a process for each command)")
+def _problems() -> Numbers:
+    import mdrcontact
+
+    script = str(PROBLEMS / "run.py")
+    with tempfile.TemporaryDirectory() as folder:
+        if Path(mdrcontact.__file__).is_relative_to(ROOT):
+            subprocess.run([sys.executable, "-P", script, folder], stdout=subprocess.DEVNULL, check=True)
+        else:
+            commands_of = runpy.run_path(script)["commands_of"]
+            for problem in sorted(PROBLEMS.glob("*.toml")):
+                for words in commands_of(problem, Path(folder)):
+                    subprocess.run([sys.executable, "-P", "-m", "mdrcontact", *words], stdout=subprocess.DEVNULL, check=True)
+        return {path.name: path.read_bytes() for path in sorted(Path(folder).iterdir())}
 
 
 def spent() -> float:
