@@ -161,7 +161,11 @@ def evaluate_all(name: str, values: ArrayLike, function: Callable[[NDArray[np.fl
 
 def complex_values(name: str, values: ArrayLike, function: Callable[[NDArray[np.float64]], Any]) -> ComplexOrArray:
     """`evaluate` for a function that gives real and imaginary parts."""
-    real, imaginary = evaluate_all(name, values, function)
+    return complex_of(*evaluate_all(name, values, function))
+
+
+def complex_of(real: FloatOrArray, imaginary: FloatOrArray) -> ComplexOrArray:
+    """Return the number or array of these parts."""
     if isinstance(real, float):
         return complex(real, float(imaginary))
     both = np.empty(real.shape, np.complex128)
@@ -169,11 +173,11 @@ def complex_values(name: str, values: ArrayLike, function: Callable[[NDArray[np.
     return both
 
 
-def of_waves(k: ArrayLike, omega: ArrayLike, function: Callable[..., Any]) -> ComplexOrArray:
-    """`complex_values` of a function of wavenumbers and angular frequencies, which broadcast."""
+def of_waves(k: ArrayLike, omega: ArrayLike, function: Callable[..., Any]) -> list[FloatOrArray]:
+    """`evaluate_all` of a function of wavenumbers and angular frequencies, which broadcast: real and imaginary parts."""
     waves, frequencies = together(k=k, omega=omega)
     rates = numbers("omega", frequencies).ravel()
-    return complex_values("k", waves, lambda q: function(q, rates if rates.size else q))
+    return evaluate_all("k", waves, lambda q: function(q, rates if rates.size else q))
 
 
 class Record(np.ndarray):

@@ -12,7 +12,20 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _layout
-from ._boundary import ComplexOrArray, FloatOrArray, Handle, call, complex_values, evaluate, native, number, of_waves, one_path, words_of
+from ._boundary import (
+    ComplexOrArray,
+    FloatOrArray,
+    Handle,
+    call,
+    complex_of,
+    complex_values,
+    evaluate,
+    native,
+    number,
+    of_waves,
+    one_path,
+    words_of,
+)
 from ._choices import code
 from ._parameters import WithParameters
 from ._units import DIFFUSIVITY, MODULUS, RATIO
@@ -236,7 +249,7 @@ def compliance(medium: Any, k: ArrayLike, omega: ArrayLike, drainage: str | None
     """See `Medium.compliance`."""
     gel, code = gel_of(medium), drainage_code(drainage)
     constants = gel.nu, code, getattr(medium, "thickness", 0.0), gel.shear_modulus, gel.diffusivity
-    return of_waves(k, omega, lambda *waves: native.poroelastic_compliance(*constants, *waves))
+    return complex_of(*of_waves(k, omega, lambda *waves: native.poroelastic_compliance(*constants, *waves)))
 
 
 def pressure(

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _layout
-from .._boundary import ComplexOrArray, FloatOrArray, Handle, native, number, of_waves
+from .._boundary import ComplexOrArray, FloatOrArray, Handle, complex_of, native, number, of_waves
 from .._value import Named, Value
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Conductor, check_rows
@@ -162,5 +162,5 @@ def conduction_of(body: Any, other: Any = None, film: float = 0.0, sink: float =
 
 def flux_compliance(conduction: Handle, k: ArrayLike, omega: ArrayLike) -> FloatOrArray | ComplexOrArray:
     """See `Conduction.compliance`."""
-    both = of_waves(k, omega, partial(native.conduction_compliance, conduction))
-    return both if np.any(omega) else both.real
+    real, imaginary = of_waves(k, omega, partial(native.conduction_compliance, conduction))
+    return complex_of(real, imaginary) if np.any(omega) else real

@@ -17,6 +17,7 @@ from .._boundary import (
     FloatOrArray,
     Handle,
     call,
+    complex_of,
     evaluate,
     native,
     number,
@@ -255,12 +256,12 @@ class Medium(WithParameters):
             return gel_compliance(self, k, omega, drainage)
         if drainage is not None:
             raise InvalidArgumentError(f"drainage = {drainage!r}: this medium has no pores")
-        signs = self._signs() if load == "coupling" else np.ones(len(self._bodies()))
-        both = sum(
-            sign * of_waves(k, omega, partial(native.body_compliance, body, _LOADS[load]))
-            for sign, body in zip(signs, self._bodies(), strict=True)
+        signs = self._signs() if load == "coupling" else [1.0] * len(self._bodies())
+        of_body = [of_waves(k, omega, partial(native.body_compliance, body, _LOADS[load])) for body in self._bodies()]
+        real, imaginary = (
+            sum(sign * part for sign, part in zip(signs, parts, strict=True)) for parts in zip(*of_body, strict=True)
         )
-        return both if self._relaxes() else both.real
+        return complex_of(real, imaginary) if self._relaxes() else real
 
     def compliance_matrix(self, k: ArrayLike, omega: ArrayLike = 0.0) -> NDArray[np.complex128]:
         """Return the compliance matrix of pressures and tractions along the wave.

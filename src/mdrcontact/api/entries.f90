@@ -478,13 +478,17 @@ contains
         call open_handle(body, "body", body_inside, error)
         if (.not. allocated(error)) call check_code(error, "load", load, [normal_load, shear_load, twist_load, coupling_load])
         if (.not. allocated(error)) call make_room(error, n, wavenumbers)
-        if (.not. allocated(error)) call make_room(error, n, frequencies)
         if (.not. allocated(error) .and. n > 0) wavenumbers(:) = k(:n)
-        if (.not. allocated(error) .and. n > 0) then
-            if (present(omega)) frequencies(:) = omega(:n)
-        end if
         if (.not. allocated(error)) call check_each_not_negative(error, "k", wavenumbers)
-        if (.not. allocated(error)) call check_each_finite(error, "omega", frequencies)
+        if (.not. allocated(error) .and. n > 0) then
+            if (present(omega)) call check_each_finite(error, "omega", omega(:n))
+        end if
+        if (.not. allocated(error)) then
+            if (allocated(body_inside%relaxing)) call make_room(error, n, frequencies)
+        end if
+        if (.not. allocated(error) .and. n > 0) then
+            if (allocated(frequencies) .and. present(omega)) frequencies(:) = omega(:n)
+        end if
         call make_room(error, n, out_values)
         if (.not. allocated(error)) then
             if (allocated(body_inside%relaxing)) call surface_compliance(body_inside%relaxing, load, frequencies, wavenumbers, &

@@ -35,14 +35,49 @@ contains
         type(logarithm_t) :: f
         type(sampled_function_t) :: table
         real(wp) :: ends(2)
+        integer :: i
 
         one_plus_chi = 0.0_wp
         f%compliance => compliance
         ! the ends themselves are inside
         ends = log([minval(k), maxval(k)]) + [-1.0e-3_wp, 1.0e-3_wp]
         call new_sampled_function(table, f, ends, [.false.], tiny(1.0_wp), error, noise=tolerance, most=most_panels)
-        if (.not. allocated(error)) one_plus_chi = exp(table%value(log(k)))
+        if (allocated(error)) return
+        do i = 1, size(table%edges) - 1
+            call interpolate(table, i, k, one_plus_chi)
+        end do
     end subroutine tabulated_compliance
+
+    !> The values at the wavenumbers of one panel, some at a time.
+    subroutine interpolate(table, panel, k, one_plus_chi)
+        type(sampled_function_t), intent(in) :: table
+        integer, intent(in) :: panel
+        real(wp), intent(in) :: k(:)
+        real(wp), intent(inout) :: one_plus_chi(:)
+        integer, parameter :: block = 512
+        integer :: places(block), i, n
+        real(wp) :: x(block), y(block), left, right
+
+        left = exp(table%edges(panel))
+        right = exp(table%edges(panel + 1))
+        n = 0
+        do i = 1, size(k)
+            if (k(i) >= left .and. k(i) < right) then
+                n = n + 1
+                places(n) = i
+            end if
+            if (n == block .or. (i == size(k) .and. n > 0)) then
+                ! as many as a block has, also of the last ones: rounding does not depend on the place
+                x = left
+                x(:n) = k(places(:n))
+                x = log(x)
+                call table%values_in(panel, x, y)
+                y = exp(y)
+                one_plus_chi(places(:n)) = y(:n)
+                n = 0
+            end if
+        end do
+    end subroutine interpolate
 
     function value(self, x) result(y)
         class(logarithm_t), intent(inout) :: self
