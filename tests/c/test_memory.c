@@ -95,6 +95,9 @@ int main(void)
     mdr_medium *m = NULL;
     mdr_contact *c = NULL;
     mdr_law *law = NULL;
+    mdr_body *body = NULL;
+    mdr_response *response = NULL;
+    const mdr_layer film = mdr_isotropic(2.0, 0.3, 1.0), base = mdr_isotropic(1.0, 0.3, 0.0);
     mdr_friction *friction = NULL;
     mdr_friction_history *path = NULL, *rings = NULL;
     mdr_medium *table = NULL, *relaxing = NULL;
@@ -110,6 +113,8 @@ int main(void)
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
     CHECK_SUCCESS(new_homogeneous(1.0, 0.3, &m));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
+    CHECK_SUCCESS(mdr_body_layered(1, &film, &base, NULL, &body));
+    CHECK_SUCCESS(mdr_response_new(body, 1e-8, &response));
     CHECK_SUCCESS(mdr_friction_new(c, 0.3, &friction));
     CHECK_SUCCESS(mdr_friction_history_new(friction, 0.0, 0, &path));
     CHECK_SUCCESS(mdr_friction_history_advance(path, MDR_DEPTH, MDR_SHIFT, 1, &(double){0.01}, &(double){1e-3}, states,
@@ -148,6 +153,9 @@ int main(void)
     CHECK_STATUS(field_at(c, MDR_PRESSURE, MDR_RADIUS, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(field_at(c, MDR_LINE_LOAD, MDR_RADIUS, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(field_at(c, MDR_DISPLACEMENT, MDR_RADIUS, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, COUNT, in, NULL, out, NULL), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_response_point(response, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_response_rectangle(response, 1.0, 1.0, COUNT, in, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_profile_values(p, MDR_HEIGHT, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_closed_form(MDR_FORM_CONE_FORCE, COUNT, in, (const double[]){0.2, 1.0, 2.0, 1.0}, out), MDR_ENOMEMORY,
                  "not enough memory");
@@ -189,6 +197,8 @@ int main(void)
 #ifdef MDRCONTACT_PLASTIC_H
     free_plastic(&yields);
 #endif
+    CHECK_FREE(response);
+    CHECK_FREE(body);
     CHECK_FREE(path);
     CHECK_FREE(friction);
     CHECK_FREE(c);

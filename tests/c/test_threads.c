@@ -5,7 +5,7 @@
 
 #include <pthread.h>
 
-enum { THREADS = 4, POINTS = 6, ROUNDS = 5, VALUES = 25 * POINTS };
+enum { THREADS = 4, POINTS = 6, ROUNDS = 5, VALUES = 27 * POINTS };
 
 #ifdef MDRCONTACT_PLASTIC_H
 typedef struct plastic {
@@ -27,6 +27,7 @@ typedef struct task {
     const mdr_material *material;
     const mdr_contact *relaxing;
     const mdr_friction *friction;
+    const mdr_response *response;
 #ifdef MDRCONTACT_POROELASTIC_H
     const mdr_poroelastic *pores;
 #endif
@@ -173,6 +174,8 @@ static void evaluate(task *t)
     failed += mdr_contact_dynamic_stiffness(t->relaxing, 1, a, a, v + 10 * POINTS, v + 10 * POINTS + 1) != MDR_SUCCESS;
 #endif
     failed += lead(t->friction, v + 11 * POINTS);
+    failed += mdr_response_point(t->response, POINTS, a, v + 25 * POINTS) != MDR_SUCCESS;
+    failed += mdr_response_rectangle(t->response, 0.3, 0.2, POINTS, a, a, v + 26 * POINTS) != MDR_SUCCESS;
 #ifdef MDRCONTACT_POROELASTIC_H
     failed += mdr_poroelastic_response(t->pores, MDR_RELAXATION, 1.0, 1.0, 1.0, POINTS, a, v + 15 * POINTS)
               != MDR_SUCCESS;
@@ -217,6 +220,9 @@ int main(int argc, char **argv)
     mdr_contact *contact = NULL, *relaxing = NULL, *sheared = NULL;
     mdr_medium *film = NULL;
     mdr_friction *friction = NULL;
+    const mdr_layer coating = mdr_isotropic(72.0, 0.17, 0.5), base = mdr_isotropic(165.0, 0.22, 0.0);
+    mdr_body *body = NULL;
+    mdr_response *response = NULL;
     mdr_material *material = NULL;
     mdr_medium *gel = NULL;
 #ifdef MDRCONTACT_POROELASTIC_H
@@ -240,6 +246,9 @@ int main(int argc, char **argv)
     CHECK_SUCCESS(new_coated(72.0, 0.17, 0.5, 165.0, 0.22, MDR_MODEL_EXACT, NULL, &film));
     CHECK_SUCCESS(mdr_contact_new(profile, film, NULL, &sheared));
     CHECK_SUCCESS(mdr_friction_new(sheared, 0.3, &friction));
+    CHECK_SUCCESS(mdr_body_layered(1, &coating, &base, NULL, &body));
+    CHECK_SUCCESS(mdr_response_new(body, 1e-8, &response));
+    alone.response = response;
 #ifdef MDRCONTACT_POROELASTIC_H
     CHECK_SUCCESS(mdr_poroelastic_new(0.2, MDR_DRAINAGE_SURFACE, 0.0, NULL, &pores));
 #endif
@@ -279,6 +288,8 @@ int main(int argc, char **argv)
         CHECK_INT(tasks[i].wrong_texts, 0);
         for (int j = 0; j < VALUES; j++) CHECK_CLOSE(tasks[i].values[j], alone.values[j], 0.0);
     }
+    CHECK_FREE(response);
+    CHECK_FREE(body);
     CHECK_FREE(contact);
     CHECK_FREE(relaxing);
 #ifdef MDRCONTACT_POROELASTIC_H

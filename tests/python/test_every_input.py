@@ -49,7 +49,7 @@ OTHER_METHODS = {
     "first_shear_error",
     "twists", "sliders", "coefficient", "shear_strength", "tolerance", "largest_sliding_shift", "from_fractions",
     "from_prony_text", "from_shapes", "from_engineering", "from_rheology", "between", "model", "inclination",
-    "half_angle_degrees", "table",
+    "half_angle_degrees", "table", "response_error",
 }  # fmt: skip
 """Methods and properties that answer with what was given, or move it."""
 

@@ -24,6 +24,7 @@ HOOKS = {
     "find_series",
     "key",
     "compliance",
+    "coupling",
     "sublayers",
 }
 HOOKS |= {"conductance", "check_one_disc", "check_radius", "check_steady", "means"}

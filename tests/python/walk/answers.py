@@ -135,6 +135,11 @@ def compliance_twist(medium: Any) -> Numbers:
     return {"": medium.compliance(K, "twist")}
 
 
+@answer("Medium.compliance", "Medium.compliance_matrix")
+def compliance_coupling(medium: Any) -> Numbers:
+    return {"": medium.compliance(K, "coupling"), "matrix": medium.compliance_matrix(K)}
+
+
 @answer("Medium.compliance")
 def compliance_flux(medium: Any) -> Numbers:
     return {"": medium.compliance(K, "flux")}
@@ -147,7 +152,7 @@ def compliance_flux_omega(medium: Any) -> Numbers:
 
 @answer("Medium.compliance", tolerance=1e-8)
 def compliance_omega(medium: Any) -> Numbers:
-    return {load: medium.compliance(K, load, omega=0.7) for load in ("normal", "shear", "twist")}
+    return {load: medium.compliance(K, load, omega=0.7) for load in ("normal", "shear", "twist", "coupling")}
 
 
 @answer("Medium.compliance_limits")

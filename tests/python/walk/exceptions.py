@@ -54,8 +54,9 @@ def _except(reason: str, of: str, answers: str, where: str = "") -> None:
 _except(
     "conducting has no part in mechanics",
     "Elastic.conductor=present",
-    "at_depth at_depth_loading at_force at_radius compliance_normal compliance_omega compliance_shear "
-    "compliance_twist creep critical displacement displacement_of_bodies dynamic_depth dynamic_force dynamic_radius "
+    "at_depth at_depth_loading at_force at_radius compliance_coupling compliance_limits compliance_normal compliance_omega "
+    "compliance_shear compliance_twist responses "
+    "creep critical displacement displacement_of_bodies dynamic_depth dynamic_force dynamic_radius "
     "energy energy_of_bodies fibre_modulus first_failure friction_history friction_history_force gradient "
     "history_depth history_force history_radius imprint_of_pressure imprint_of_two_terms imprint_pull_off "
     "imprint_unloading interior interior_sliding interior_upper law_at_depth law_at_force "
@@ -75,8 +76,9 @@ _except(
 _except(
     "a resistance is none to forces",
     "Interface.resistance",
-    "at_depth at_depth_loading at_force at_radius compliance_normal compliance_omega compliance_shear "
-    "compliance_twist creep critical displacement dynamic_depth dynamic_force dynamic_radius energy friction_history "
+    "at_depth at_depth_loading at_force at_radius compliance_coupling compliance_limits compliance_normal compliance_omega "
+    "compliance_shear compliance_twist responses "
+    "creep critical displacement dynamic_depth dynamic_force dynamic_radius energy friction_history "
     "friction_history_force history_depth history_force history_radius interior interior_sliding line_load loop_depth "
     "loop_force loop_spring modulus pressure pull_off_depth pull_off_force punch_depth relaxation shear_at_force "
     "shear_at_shift shear_cycles shear_fields state_slope stiffness tangential_modulus wear_at_depth wear_at_force wear_bracket "
@@ -160,13 +162,13 @@ _except(
 _except(
     "answers to waves are exact: docs/coatings.md",
     " ".join(f"Coated.model={name}" for name in MODELS),
-    "compliance_normal compliance_shear compliance_twist compliance_omega",
+    "compliance_coupling compliance_limits compliance_normal compliance_shear compliance_twist compliance_omega responses",
 )
 _except(
     "answers to waves are exact: docs/coatings.md",
     "Graded.model=gao Graded.model=gao-series Graded.model=gao-power Layered.model=gao Layered.model=gao-series "
     "Layered.model=gao-power",
-    "compliance_normal compliance_shear compliance_twist",
+    "compliance_coupling compliance_limits compliance_normal compliance_shear compliance_twist responses",
 )
 _except(
     "a twist has no component normal to the surface",
@@ -184,7 +186,8 @@ _except(
     "compliance_twist torsional_stiffness",
 )
 _AXISYMMETRIC = (
-    "at_depth at_force at_radius compliance_normal displacement displacement_of_bodies energy energy_of_bodies "
+    "at_depth at_force at_radius compliance_coupling compliance_limits compliance_normal displacement displacement_of_bodies "
+    "energy energy_of_bodies responses "
     "line_load material_modulus modulus pressure stiffness"
 )
 _except(
@@ -468,6 +471,11 @@ _except(
 _except(
     "an elastic body answers at any frequency as at rest",
     "Medium.compliance.omega",
+    "returned",
+)
+_except(
+    "an accuracy, which the fewest exponentials exceed",
+    "Medium.point_response.tolerance Medium.rectangle_response.tolerance Medium.response_error.tolerance",
     "returned",
 )
 _except(

@@ -75,7 +75,9 @@ ENGINEERED = mdr.TransverselyIsotropic.from_engineering(1.0, 1.4, 0.3, 0.25, 0.5
 
 MEDIUM = ("modulus", "stiffness")
 ALONG = ("tangential_modulus", "torsional_stiffness")
-WAVES = ("compliance_normal", "compliance_shear", "compliance_twist", "compliance_limits", "responses")
+WAVES = (
+    "compliance_normal", "compliance_shear", "compliance_twist", "compliance_coupling", "compliance_limits", "responses",
+)  # fmt: skip
 STATES = ("at_depth", "at_force", "at_radius")
 FIELDS = ("pressure", "displacement", "line_load", "energy")
 INSIDE = ("interior", "interior_sliding")
@@ -181,7 +183,7 @@ def _graded() -> list[Scene]:
         Scene("graded function medium", function, MEDIUM),
         Scene("weighted graded medium", weighted, (*MEDIUM, "tangential_modulus")),
         Scene("weighted graded", mdr.Contact(SPHERE, weighted), (*STATES, "pressure")),
-        Scene("power graded medium", power, MEDIUM),
+        Scene("power graded medium", power, (*MEDIUM, "compliance_normal")),
         Scene("power graded", mdr.Contact(SPHERE, power), (*STATES, "pressure", "displacement", "line_load")),
         Scene("tabulated medium", tabulated, MEDIUM),
         Scene("tabulated", mdr.Contact(SPHERE, tabulated), (*STATES, "pressure", "line_load")),
