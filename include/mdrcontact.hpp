@@ -114,6 +114,7 @@ private:
 using Profile = Handle<mdr_profile>;
 using Material = Handle<mdr_material>;
 using Body = Handle<mdr_body>;
+using Response = Handle<mdr_response>;
 using Medium = Handle<mdr_medium>;
 using Contact = Handle<mdr_contact>;
 using Loop = Handle<mdr_loop>;

@@ -14,6 +14,7 @@ static mdr_profile *ball, *punch;
 static mdr_material *gel;
 static mdr_layer oxide, silicon, rubber;
 static mdr_body *film, *soft, *relaxing_body;
+static mdr_response *response;
 static mdr_medium *medium, *soft_medium, *relaxing_medium;
 static mdr_contact *contact, *sticky, *relaxing, *cohesive, *punch_contact;
 static mdr_state state;
@@ -132,7 +133,8 @@ static int make_others(void)
     const double k = 1e-16;
     const mdr_conductor metal = {0.0, 4e7, 4e7, 2.4e6, 0.0};
     mdr_law_options with_friction = MDR_SIZED(mdr_law_options), with_conduction = MDR_SIZED(mdr_law_options);
-    int failed = mdr_friction_new(contact, 0.3, &friction) || mdr_shear_new(friction, load, MDR_ALONG, &shear)
+    int failed = mdr_response_new(film, 1e-8, &response) || mdr_friction_new(contact, 0.3, &friction)
+        || mdr_shear_new(friction, load, MDR_ALONG, &shear)
         || mdr_friction_history_new(friction, 50e-9, 20, &friction_history) || mdr_law_new(contact, 50e-9, NULL, &law)
         || mdr_law_view_of(law, MDR_ON_UNLOADING, &view)
         || mdr_conduction_new(1, &metal, MDR_BASE_HALF_SPACE, 0, NULL, MDR_BASE_HALF_SPACE, 0.0, 0.0, &conduction);
