@@ -19,6 +19,9 @@ module mdrcontact_plastic_law
     private
     public :: plastic_law_t, plastic_steps_t, plastic_view_t, view_of
 
+    !> Energy that no contact loses, as in mdrcontact_plastic_law.h [modulus length^3].
+    real(wp), parameter :: most_lost = 1.0e150_wp
+
     !> struct mdr_plastic_view of include/mdrcontact_plastic_law.h.
     type, bind(C) :: plastic_view_t
         type(law_view_t) :: elastic, virgin
@@ -202,7 +205,7 @@ contains
         if (size(memory) == 1) then
             possible = possible .and. memory(1) >= 0.0_wp .and. memory(1) <= view%highest
         else
-            possible = possible .and. abs(memory(1)) <= view%highest .and. memory(2) >= 0.0_wp .and. memory(2) <= huge(1.0_wp)
+            possible = possible .and. abs(memory(1)) <= view%highest .and. memory(2) >= 0.0_wp .and. memory(2) <= most_lost
         end if
     end function is_possible
 
