@@ -159,7 +159,8 @@ int mdr_conduction_admittance(const mdr_conduction *p, int answer, double radius
  *                 distance [time]
  *  @param given   [n] the history, which begins at 0; NULL: a step to 1
  *  @param out     [n] flux or potential, see enum mdr_quantity
- *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE
+ *  @return also MDR_EINVALID, MDR_ENOCONVERGENCE; MDR_EDOMAIN, also for a conductance or a resistance if the surface layer is
+ *          thinner than about radius/1500
  *  @code
  *  const double t[2] = {1e-6, 1e-3};
  *  double mean[2];

@@ -194,11 +194,28 @@ static void test_refusals(void)
     CHECK_TRUE(out[0] == 7.0 && out[1] == 7.0 && more[0] == 7.0);
 }
 
+/* A conductance in time needs as many polynomials and waves as the radius has thicknesses. */
+static void thin_surface_layer(void)
+{
+    const mdr_conductor film = {.thickness = 1e-3, .sigma = 2.0, .along = 2.0, .capacity = 1.0};
+    const mdr_conductor film_and_base[2] = {film, HALF_SPACE};
+    const double time = 10.0;
+    double out = 7.0;
+    mdr_conduction *p = NULL;
+
+    CHECK_SUCCESS(mdr_conduction_new(2, film_and_base, MDR_BASE_HALF_SPACE, 0, NULL, 0, 0.0, 0.0, &p));
+    CHECK_STATUS(mdr_conduction_follow(p, MDR_RESISTANCE, 3.0, 1, &time, NULL, &out), MDR_EDOMAIN, "3000 thicknesses");
+    CHECK_TRUE(out == 7.0);
+    CHECK_SUCCESS(mdr_conduction_follow(p, MDR_RESISTANCE, 0.1, 1, &time, NULL, &out));
+    CHECK_FREE(p);
+}
+
 int main(void)
 {
     test_half_space();
     test_pair();
     test_of_contact();
     test_refusals();
+    thin_surface_layer();
     return check_report("conduction");
 }

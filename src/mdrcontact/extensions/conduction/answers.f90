@@ -338,6 +338,7 @@ contains
         allocate (series(basis%order), total(basis%order))
         total = 0.0_wp
         do i = 1, own_nodes
+            call check_cancelled(error)
             call spot_at(conduction, a, s(i), basis, conductance, error, series)
             if (allocated(error)) return
             total = total + weight(i, 1)*series
@@ -369,6 +370,7 @@ contains
         largest = maxval(abs(s), mask=real(s, wp)*minval(time) > -20.0_wp)
         call find_waves(conduction, answer, a, abs(s(1)), largest, waves, error)
         do i = 1, n
+            call check_cancelled(error)
             call answer_at(conduction, answer, a, s(i), waves, answered(i), error)
             if (allocated(error)) return
             if (is_ramp) answered(i) = answered(i)/s(i)

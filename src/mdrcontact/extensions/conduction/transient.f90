@@ -2,10 +2,11 @@
 !> A contact area at one Laplace variable s, or at i omega: conductance of an equipotential contact area, and potentials under a
 !> given flux (theory/conduction.md (5.1), (5.2), (9.1), (9.2), (9.6)).
 module mdrcontact_conduction_transient
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_codes, only: gaussian => gaussian_potential, uniform_centre => centre_potential, &
                                 uniform_mean => mean_potential
     use mdrcontact_conduction_bodies, only: conduction_t
-    use mdrcontact_error, only: error_no_convergence, error_t, raise
+    use mdrcontact_error, only: error_domain, error_no_convergence, error_t, raise, to_text
     use mdrcontact_gsl, only: gsl_sf_bessel_j1
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: zgesv
@@ -13,6 +14,11 @@ module mdrcontact_conduction_transient
     implicit none (type, external)
     private
     public :: basis_for, given_flux, spot_at, uniform_mean, uniform_centre, gaussian
+
+    !> Products of a polynomial, another and a wave for each Laplace variable: 0.3 s. A step takes up to 28 variables.
+    real(wp), parameter :: most_products = 1.5e9_wp
+    !> Waves between two questions whether to go on.
+    integer, parameter :: between_questions = 10000
 
 contains
 
@@ -23,7 +29,7 @@ contains
         real(wp), intent(in) :: a, smallest, largest
         type(basis_t), intent(out) :: basis
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: depth, deepest, waves, first
+        real(wp) :: depth, deepest, waves, first, last
         integer :: i, order
 
         depth = conduction%radius_in_layers(a)
@@ -38,7 +44,14 @@ contains
         end do
         order = 8 + ceiling(3.5_wp*sqrt(depth) + 2.5_wp*sqrt(waves))
         first = max(min(first, 1.0_wp/deepest), 1.0e-9_wp)
-        call new_basis(basis, order, 0.05_wp*first, max(4.0_wp*order, 20.0_wp*depth, 1.5_wp*waves, 40.0_wp), error)
+        last = max(4.0_wp*order, 20.0_wp*depth, 1.5_wp*waves, 40.0_wp)
+        ! 32/15 waves for each unit of k a
+        if (2.1_wp*last*real(order, wp)**2 > most_products .and. .not. allocated(error)) then
+            call raise(error, error_domain, " = "//to_text(a)//": it is "//to_text(depth)//" thicknesses of the surface "// &
+                       "layer, and in time about 1500 are possible. Omit layers that are thinner", "radius")
+            return
+        end if
+        call new_basis(basis, order, 0.05_wp*first, last, error)
     end subroutine basis_for
 
     !> G of an equipotential contact area without a film, and on request the series of its flux.
@@ -105,6 +118,8 @@ contains
             call wave_rule(1.0e-9_wp*min(first, last), last, 2.0_wp, z, weight, error)
             if (allocated(error)) return
             do i = 1, size(z)
+                if (modulo(i, between_questions) == 0) call check_cancelled(error)
+                if (allocated(error)) return
                 chi = conduction%chi(cmplx(z(i)/a, 0.0_wp, wp), s)
                 if (what == gaussian) then
                     value = value + weight(i)*(1.0_wp + chi)*exp(-z(i)**2/8.0_wp)
