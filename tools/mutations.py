@@ -464,7 +464,7 @@ MUTATIONS = [
     ("api/law_check.c", "(double)last + interval->first_panel < head->panel_count", "last > 0", "host_blocks"),
     ("api/plastic_law_check.c", "(52 - (int)head->bits)) < head->panels", "(52 - (int)head->bits)) < 1e9", "host_blocks"),
     ("api/law_force.c", "inside->copy != (intptr_t)&this_copy || ", "", "host_copies"),
-    ("api/per_thread.c", "LARGEST_STRUCTURE = 4096", "LARGEST_STRUCTURE = 2147483647", "c_sized"),
+    ("api/per_thread.c", "failure->size > LARGEST_STRUCTURE || ", "", "c_sized"),
     ("../../include/mdrcontact_plastic_law.h", "contact->lost <= 1e150", "contact->lost <= DBL_MAX", "host_histories"),
     ("extensions/plastic/imprint.f90", "if (is_coarse .and. ratio > 2.0_wp*largest_ratio) return", "if (is_coarse) return",
      "test_plastic.py"),

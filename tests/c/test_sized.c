@@ -287,6 +287,13 @@ static void what_is_known_is_written(const objects *o)
     CHECK_INT(mdr_last_failure(&(mdr_failure){0}), MDR_EINVALID);
     CHECK_INT(mdr_last_failure(&(mdr_failure){.size = 9}), MDR_EINVALID);
     CHECK_INT(mdr_last_failure(&(mdr_failure){.size = SIZE_MAX}), MDR_EINVALID);
+    {
+        static union {
+            mdr_failure failure;
+            char bytes[4100];
+        } large = {.failure = {.size = sizeof large}};
+        CHECK_INT(mdr_last_failure(&large.failure), MDR_EINVALID);
+    }
 }
 
 /* 0 is the default; where it is a value, too, that has to be said. */
