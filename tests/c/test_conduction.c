@@ -119,6 +119,7 @@ static void test_of_contact(void)
     CHECK_SUCCESS(mdr_conduction_joint(p, c, &state, 1e-13, 0.1, 10.0, 1e-3, 1e-13, &rough));
     CHECK_CLOSE(rough, conductance, 1e-7);
     CHECK_SUCCESS(mdr_conduction_joint_resistance(p, 0.5, 0.1, 10.0, 0.0, 0.0, 0, NULL, NULL));
+    CHECK_STATUS(mdr_conduction_joint_resistance(p, 1e-320, 0.1, 1e9, 0.0, 0.0, 1, &one, out), MDR_EDOMAIN, "double precision");
     CHECK_STATUS(mdr_conduction_joint_resistance(p, 0.5, 0.1, 10.0, 0.0, 0.0, -1, &one, out), MDR_EINVALID, "n = -1");
     CHECK_STATUS(mdr_conduction_joint_resistance(p, 0.5, 0.1, 10.0, 0.0, 0.0, 1, NULL, out), MDR_ENULL, "pressure");
     CHECK_STATUS(mdr_conduction_joint_resistance(p, 0.5, 0.1, 2.0, 0.0, 0.0, 1, &one, out), MDR_EDOMAIN, "hardness = 2");

@@ -122,6 +122,12 @@ contains
             if (allocated(error)) return
         end do
         resistance = law%scale/law%conductance(pressure)
+        do i = 1, size(pressure)
+            if (allocated(error)) return
+            if (resistance(i) >= tiny(1.0_wp) .and. resistance(i) <= huge(1.0_wp)) cycle
+            call raise(error, error_domain, " = "//to_text(roughness)//": the resistance exceeds the range of double "// &
+                       "precision. Choose other units", "roughness")
+        end do
     end subroutine micro_resistance
 
     elemental function pressure_itself(self, pressure) result(conductance)
