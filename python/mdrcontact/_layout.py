@@ -820,6 +820,7 @@ POINTERS = {
     "plastic_law_buffer": (0, 2),
     "overload_new": (0,),
     "overload_states": (0,),
+    "plastic_law_from_overload": (0, 2),
     "cap_new": (0,),
     "cap_states": (0,),
     "cap_pressure": (0,),

@@ -128,15 +128,16 @@ int mdr_plastic_law_new(const mdr_profile *profile, const mdr_yielding *metal, d
 }
 
 int mdrcontact_entry_plastic_law_from_points(int n, const double d[], const double F[], const double a[],
-        const double residual_depth[], double modulus, const mdr_plastic_law_options *options, mdr_plastic_law **out);
+        const double residual_depth[], const double modulus[], const mdr_plastic_law_options *options, mdr_plastic_law **out);
 int mdr_plastic_law_from_points(int n, const double d[], const double F[], const double a[], const double residual_depth[],
-        double modulus, const mdr_plastic_law_options *options, mdr_plastic_law **out)
+        const double modulus[], const mdr_plastic_law_options *options, mdr_plastic_law **out)
 {
     if (n < 0 || n > MDRCONTACT_MOST_ENTRIES) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !d) return mdrcontact_refuse_null("d");
     if (n > 0 && !F) return mdrcontact_refuse_null("F");
     if (n > 0 && !a) return mdrcontact_refuse_null("a");
     if (n > 0 && !residual_depth) return mdrcontact_refuse_null("residual_depth");
+    if (n > 0 && !modulus) return mdrcontact_refuse_null("modulus");
     if (!out) return mdrcontact_refuse_null("out");
     if (arithmetic_is_set()) return mdrcontact_entry_plastic_law_from_points(n, d, F, a, residual_depth, modulus, options, out);
     fenv_t callers;
@@ -268,6 +269,20 @@ int mdr_overload_states(const mdr_overload *rule, int given, int n, const double
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
     const int status = mdrcontact_entry_overload_states(rule, given, n, value, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_plastic_law_from_overload(const mdr_overload *rule, double largest_depth,
+        const mdr_plastic_law_options *options, mdr_plastic_law **out);
+int mdr_plastic_law_from_overload(const mdr_overload *rule, double largest_depth, const mdr_plastic_law_options *options,
+        mdr_plastic_law **out)
+{
+    if (!out) return mdrcontact_refuse_null("out");
+    if (arithmetic_is_set()) return mdrcontact_entry_plastic_law_from_overload(rule, largest_depth, options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_plastic_law_from_overload(rule, largest_depth, options, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
