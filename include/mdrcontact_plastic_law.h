@@ -35,13 +35,14 @@ typedef struct mdr_plastic_head {
     double bits;    /**< Leading bits of y that number a panel. */
     double panels;  /**< Number of panels. */
     double edges;   /**< Place of the ends of the panels, one more than panels; 0: the bits of y number them [length]. */
-    double rows;    /**< Place of the polynomials: for each panel and power F, a, B2 = a A2/E* (theory/plastic.md (2.4)), 0. */
+    double rows;    /**< Place of the polynomials: for each panel and power F, a, a A2/E* (theory/plastic.md (2.4)), 3 F/(4 E*) or 0. */
     double energy;  /**< Place of the work int F dd in the middle of each panel. */
     double tension; /**< With adhesion, place of the polynomials of the work that it takes from the plastic loss; else 0. */
-    double modulus; /**< E* [modulus]. */
+    double modulus; /**< E*, that of the largest depth in laws of coated bodies [modulus]. */
     double line;    /**< 2 pi gamma/E*, gamma the work of adhesion [length]; 0 without adhesion. */
     double radius;  /**< a^2/d of the elastic contact [length]. */
     double touch;   /**< With adhesion, largest depth without it of a contact that has just closed; else 0 [length]. */
+    double coated;  /**< 1: E* with which a contact unloads varies with its largest depth; else 0. */
 } mdr_plastic_head;
 
 /** A view of a plastic law, read by the inline functions. Its members are private. */
@@ -56,7 +57,7 @@ typedef struct mdr_plastic_view {
     double modulus, line;  /**< See mdr_plastic_head. */
     double hertz;          /**< 3/(4 E*) [1/modulus]. */
     double radius, touch;  /**< See mdr_plastic_head [length]. */
-    int panels;            /**< Number of panels. */
+    int panels, coated;    /**< See mdr_plastic_head. */
 } mdr_plastic_view;
 
 /** State of a plastic contact. */
@@ -101,6 +102,7 @@ MDR_INLINE int mdr_plastic_view_at(const double *buffer, const double *there, md
     view->radius = head->radius;
     view->touch = head->touch;
     view->panels = (int)head->panels;
+    view->coated = head->coated != 0.0;
     return MDR_SUCCESS;
 }
 
@@ -141,6 +143,7 @@ typedef struct mdr_plastic_imprint {
     double radius;  /**< Contact radius A at the largest depth [length]. */
     double uniform; /**< Of the uniform part of the pressure, A A2/E* [length^2]. */
     double hertz;   /**< Of Hertz's part, A A1/E* [length^2]. */
+    double modulus; /**< E* [modulus]. */
 } mdr_plastic_imprint;
 
 /* c[0] + c[4] t + ... + c[28] t^7: a polynomial of a panel; and its derivative. */
@@ -156,7 +159,7 @@ MDR_INLINE double mdr_plastic_polynomial_with_slope(const double c[], double t, 
     return mdr_law_polynomial_with_slope(row, t, slope);
 }
 
-/* The columns of a row at a largest depth beyond yield, together: F, A, B2 and 0. */
+/* The columns of a row at a largest depth beyond yield, together. */
 MDR_INLINE void mdr_plastic_columns(const mdr_plastic_view *view, double deepest, double column[4])
 {
     double t, rate, of[4]; /* which are no others: one vector */
@@ -175,7 +178,8 @@ MDR_INLINE mdr_plastic_imprint mdr_plastic_imprint_from(const mdr_plastic_view *
     mdr_plastic_imprint imprint;
     imprint.radius = column[1];
     imprint.uniform = column[2] > 0.0 ? column[2] : 0.0;
-    imprint.hertz = view->hertz * column[0] - 1.1780972450961724 * imprint.uniform; /* 3 pi/8 */
+    imprint.hertz = (view->coated ? column[3] : view->hertz * column[0]) - 1.1780972450961724 * imprint.uniform; /* 3 pi/8 */
+    imprint.modulus = view->coated ? 0.75 * column[0] / column[3] : view->modulus;
     return imprint;
 }
 
@@ -268,14 +272,13 @@ MDR_INLINE double mdr_plastic_work(const mdr_plastic_view *view, double d)
 }
 
 /* The state of an imprint without adhesion at y = (largest depth) - d. */
-MDR_INLINE void mdr_plastic_unload(const mdr_plastic_view *view, const mdr_plastic_imprint *imprint, double y, double *F, double *slope,
-                                   double *a)
+MDR_INLINE void mdr_plastic_unload(const mdr_plastic_imprint *imprint, double y, double *F, double *slope, double *a)
 {
     double t, u;
     mdr_plastic_edge(imprint, y, &t, &u);
-    *F = view->modulus * mdr_plastic_force_at(imprint, t, u);
+    *F = imprint->modulus * mdr_plastic_force_at(imprint, t, u);
     *a = imprint->radius * u;
-    *slope = 2.0 * view->modulus * *a;
+    *slope = 2.0 * imprint->modulus * *a;
 }
 
 /* Whether a contact without adhesion is below its largest depth, beyond yield; both numbers are then possible. */
@@ -292,7 +295,7 @@ MDR_INLINE int mdr_plastic_follow(const mdr_plastic_view *view, double deepest, 
         const mdr_plastic_imprint imprint = mdr_plastic_imprint_of(view, deepest);
         double radius;
         *kept = deepest;
-        mdr_plastic_unload(view, &imprint, deepest - d, F, slope, &radius);
+        mdr_plastic_unload(&imprint, deepest - d, F, slope, &radius);
         if (a) *a = radius;
         return MDR_SUCCESS;
     }
@@ -345,6 +348,7 @@ MDR_INLINE mdr_plastic_imprint mdr_plastic_any_imprint(const mdr_plastic_view *v
     imprint.radius = sqrt(view->radius * (deepest > 0.0 ? deepest : 0.0));
     imprint.uniform = 0.0;
     imprint.hertz = imprint.radius * deepest;
+    imprint.modulus = view->modulus;
     return imprint;
 }
 
@@ -412,7 +416,7 @@ MDR_INLINE double mdr_plastic_loss(const mdr_plastic_view *view, double deepest)
         const size_t panel = mdr_plastic_panel(view, deepest, &t, &rate);
         tension = mdr_law_polynomial(view->tension + 8 * panel, t);
     }
-    return mdr_plastic_work(view, deepest) - view->modulus * mdr_plastic_energy_at(&imprint, 1.0, 1.0) - tension;
+    return mdr_plastic_work(view, deepest) - imprint.modulus * mdr_plastic_energy_at(&imprint, 1.0, 1.0) - tension;
 }
 
 /* Moves a closed contact with adhesion to d, where it may detach. */
@@ -591,7 +595,7 @@ MDR_INLINE int mdr_plastic_view_energies(const mdr_plastic_view *view, double d,
             } else {
                 const mdr_plastic_imprint imprint = mdr_plastic_imprint_of(view, contact.deepest);
                 mdr_plastic_edge(&imprint, contact.deepest - d, &t, &u);
-                *stored = view->modulus * mdr_plastic_energy_at(&imprint, t, u);
+                *stored = imprint.modulus * mdr_plastic_energy_at(&imprint, t, u);
             }
         }
     }

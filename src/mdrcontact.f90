@@ -115,6 +115,7 @@ module mdrcontact
     use mdrcontact_plastic_overload, only: new_overload, overload_state_t, overload_t
     use mdrcontact_plastic_imprint, only: imprint_t, new_imprint, new_imprint_from_pressure, new_imprint_of_two_terms
     use mdrcontact_plastic_law, only: plastic_law_t, plastic_steps_t
+    use mdrcontact_plastic_law_coated, only: new_plastic_law_from_overload
     use mdrcontact_plastic_law_new, only: new_plastic_law, new_plastic_law_from_points, plastic_options_t, &
                                           plastic_law_with_radius => with_radius
     use mdrcontact_plastic_profile, only: imprint_profile_t

@@ -245,11 +245,11 @@ static void test_refusals(void)
 static void test_points(void)
 {
     const double d[3] = {1e-9, 4e-9, 9e-9}, F[3] = {1e-6, 6e-6, 15e-6}, a[3] = {3e-8, 7e-8, 11e-8}, w[3] = {0.0, 1.3e-9, 4.5e-9};
-    const double falling[3] = {1e-9, 4e-9, 3e-9}, none[3] = {0.0, 0.0, 0.0};
+    const double falling[3] = {1e-9, 4e-9, 3e-9}, none[3] = {0.0, 0.0, 0.0}, E_star[3] = {20e9, 20e9, 20e9};
     double found[3], radius[3], left[3];
     mdr_plastic_law *law = NULL;
 
-    CHECK_SUCCESS(mdr_plastic_law_from_points(3, d, F, a, w, 20e9, NULL, &law));
+    CHECK_SUCCESS(mdr_plastic_law_from_points(3, d, F, a, w, E_star, NULL, &law));
     CHECK_SUCCESS(mdr_plastic_law_loading(law, 3, d, found, radius, left, NULL));
     for (int i = 0; i < 3; i++) {
         CHECK_CLOSE(found[i], F[i], 1e-9);
@@ -258,9 +258,9 @@ static void test_points(void)
     }
     CHECK_FREE(law);
     law = NULL;
-    CHECK_STATUS(mdr_plastic_law_from_points(3, falling, F, a, w, 20e9, NULL, &law), MDR_EINVALID, "must rise");
-    CHECK_STATUS(mdr_plastic_law_from_points(2, d, F, a, w, 20e9, NULL, &law), MDR_EINVALID, "at least 3");
-    CHECK_STATUS(mdr_plastic_law_from_points(3, d, F, a, none, 20e9, NULL, &law), MDR_EDOMAIN, "leaves between");
+    CHECK_STATUS(mdr_plastic_law_from_points(3, falling, F, a, w, E_star, NULL, &law), MDR_EINVALID, "must rise");
+    CHECK_STATUS(mdr_plastic_law_from_points(2, d, F, a, w, E_star, NULL, &law), MDR_EINVALID, "at least 3");
+    CHECK_STATUS(mdr_plastic_law_from_points(3, d, F, a, none, E_star, NULL, &law), MDR_EDOMAIN, "leaves between");
     CHECK_TRUE(law == NULL);
 }
 

@@ -15,6 +15,7 @@ import mdrcontact as mdr
 from mdrcontact import _boundary
 from mdrcontact.plastic import Imprint, Overload, PressureCap, truncated_hertz
 
+SOFT_BODY = mdr.Coated(mdr.Elastic(1.0, 0.3), 1.0, mdr.Elastic(4.0, 0.3))
 FILMS = Path(__file__).parents[1] / "data" / "plastic_films.csv"
 METAL = mdr.Homogeneous(mdr.Elastic(1.0, 0.3))
 MODULUS = 1.0 / (1.0 - 0.3**2)
@@ -111,6 +112,100 @@ def test_overload_states_by_depth_and_force():
     law = mdr.plastic.PlasticLaw.from_table(*rule.points(np.geomspace(6e-6, 1e-4, 60)), modulus=MODULUS)
     assert law.loading(5e-5).force == pytest.approx(rule.at_depth(5e-5).force, rel=1e-4)
     assert Imprint.from_state(state).force == pytest.approx(state.force, rel=1e-12)
+
+
+@pytest.mark.parametrize(("ratio", "widths"), [(0.8, (0.5, 1.0)), (1.0, (1.0,)), (4.0, (0.5, 1.0)), (20.0, (1.0,))])
+def test_law_of_a_coated_grain(ratio, widths):
+    """First loading of the rule, elastic bits of the film before, unloading near that of imprints, energies in balance."""
+    body = mdr.Coated(mdr.Elastic(1.0, 0.3), 1.0, mdr.Elastic(ratio, 0.3))
+    contact = mdr.Contact(mdr.Paraboloid(68.7), body)
+    rule = Overload(contact, [1e-3, math.inf])
+    for width in widths:
+        deepest = float(rule.at_radius(width).depth)
+        law = mdr.plastic.PlasticLaw.from_overload(rule, deepest)
+        elastic = mdr.ContactLaw(contact, deepest)
+        d = np.linspace(-0.1, 0.999, 50) * law.yield_depth
+        assert np.array_equal(law.try_(law.contacts(50), d).force, elastic.at_depth(d).force)
+        # between the points of the curve, whose places are others
+        for depth in law.yield_depth + (deepest - law.yield_depth) * np.array([0.013, 0.17, 0.46, 0.87, 1.0]):
+            state = rule.at_depth(depth)
+            memory = law.contacts(1)
+            top = law.advance(memory, [depth])
+            assert top.force[0] == pytest.approx(state.force, rel=3e-6) and top.radius[0] == pytest.approx(state.radius, rel=3e-6)
+            left = state.imprint()
+            y = left.recovery * np.linspace(0.001, 0.999, 30)
+            step = law.try_(np.repeat(memory, 30, axis=0), depth - y)
+            exact = left.contact().at_depth(left.recovery - y)
+            worst = np.max(np.abs(step.force - exact.force)) / state.force
+            assert worst < (1e-4 if ratio == 1.0 else 0.011)
+            # the imprint's work is given back, so that the restitution is that of the body
+            assert law.energies(memory, [depth])[0][0] == pytest.approx(left.recovered_work, rel=1e-4)
+            assert law.try_(memory, [depth * (1.0 - 1e-13)]).force[0] == pytest.approx(top.force[0], rel=1e-12)
+            # stored is the work that unloading gives back, and the slope that of the force
+            down = law.loading(depth).residual_depth
+            x, w = np.polynomial.legendre.leggauss(40)
+            places = down + 0.5 * (depth - down) * (1.0 + x)
+            force = law.try_(np.repeat(memory, 40, axis=0), places).force
+            stored, _ = law.energies(memory, [depth])
+            assert 0.5 * (depth - down) * np.sum(w * force) == pytest.approx(stored[0], rel=1e-5)
+            h = 1e-6 * depth
+            middle = 0.5 * (down + depth)
+            slope = (law.try_(memory, [middle + h]).force - law.try_(memory, [middle - h]).force) / (2.0 * h)
+            assert law.try_(memory, [middle]).stiffness == pytest.approx(slope, rel=1e-6)
+        lost = law.energies(np.linspace(0.0, deepest, 3000)[:, None].copy(), np.full(3000, -1.0))[1]
+        assert np.all(np.diff(lost) >= -2e-6 * lost[-1]) and lost[-1] > 0.0
+        # of a whole path: stored and dissipated are the work
+        path = np.linspace(0.0, deepest, 20001)
+        force = law.loading(path).force
+        work = np.sum(0.5 * (force[1:] + force[:-1]) * np.diff(path))
+        memory = law.contacts(1)
+        law.advance(memory, [deepest])
+        assert sum(part[0] for part in law.energies(memory, [deepest])) == pytest.approx(work, rel=1e-6)
+        assert Imprint.from_state(law.loading(0.9 * deepest)).body == body
+    for other in (pickle.loads(pickle.dumps(law)), copy.copy(law)):
+        assert other == law and repr(other) == repr(law)
+    assert law.first_yield is None and law.radius == 0.0 and law.warnings == ()
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="not that of a paraboloid"):
+        law.with_radius(1.0)
+
+
+def test_moduli_of_a_table():
+    """A modulus that varies with the largest depth: the law of each point is that of its own modulus."""
+    d, F, a = np.array([1e-9, 4e-9, 9e-9]), np.array([1e-6, 6e-6, 15e-6]), np.array([3e-8, 7e-8, 11e-8])
+    left, moduli = np.array([0.0, 1.3e-9, 4.5e-9]), np.array([25e9, 22e9, 21e9])
+    law = mdr.plastic.PlasticLaw.from_table(d, F, a, left, moduli)
+    one = mdr.plastic.PlasticLaw.from_table(d, F, a, left, 22e9)
+    assert law.loading(4e-9).residual_depth == pytest.approx(1.3e-9, rel=1e-7)
+    memories = np.full((20, 1), 4e-9), np.full((20, 1), 4e-9)
+    at = np.linspace(1e-9, 3.99e-9, 20)
+    assert law.try_(memories[0], at).force == pytest.approx(one.try_(memories[1], at).force, rel=1e-7, abs=1e-13)
+    assert law.modulus == pytest.approx(21e9, rel=1e-12)
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="coated bodies have no adhesion"):
+        mdr.plastic.PlasticLaw.from_table(d, F, a, left, moduli, work_of_adhesion=1e-6)
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="entry 2 of modulus"):
+        mdr.plastic.PlasticLaw.from_table(d, F, a, left, [20e9, 0.0, 20e9])
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="modulus of shape"):
+        mdr.plastic.PlasticLaw.from_table(d, F, a, left, [20e9, 20e9])
+
+
+def test_laws_of_coated_grains_that_are_refused():
+    hard = mdr.Coated(mdr.Elastic(4.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3))
+    contact = mdr.Contact(mdr.Paraboloid(68.7), hard)
+    law_of = mdr.plastic.PlasticLaw.from_overload
+    with pytest.raises(mdr.errors.DomainError, match="yields under the film"):
+        law_of(Overload(contact, [4e-3, 1e-3]), 0.03)
+    rule = Overload(mdr.Contact(mdr.Paraboloid(68.7), SOFT_BODY), [1e-3, math.inf])
+    with pytest.raises(mdr.errors.DomainError, match="nothing yields"):
+        law_of(rule, 1e-5)
+    with pytest.raises(mdr.errors.DomainError, match="two thicknesses"):
+        law_of(rule, 0.2)
+    for depth in (0.0, -1.0, math.nan):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="largest_depth"):
+            law_of(rule, depth)
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="it must be an Overload"):
+        law_of(contact, 0.01)
+    with pytest.raises(mdr.errors.DomainError, match="from initial contact on"):
+        law_of(Overload(mdr.Contact(mdr.Cone(0.03), mdr.Homogeneous(mdr.Elastic(1.0, 0.3))), [1e-3]), 0.1)
 
 
 def test_what_the_overload_rule_does_not_support():

@@ -14,7 +14,7 @@ from ..plastic import PlasticLaw
 from ._generic import Branch, _polynomial
 
 HEAD = ("format", "size", "elastic", "yield", "highest", "scale", "offset", "bits", "panels", "edges", "rows", "energy", "tension",
-        "modulus", "line", "radius", "touch")  # fmt: skip
+        "modulus", "line", "radius", "touch", "coated")  # fmt: skip
 """Members of mdr_plastic_head."""
 
 
@@ -56,6 +56,8 @@ class Numbers:
             )
         buffer = law.buffer()
         self.head = dict(zip(HEAD, buffer.tolist(), strict=False))
+        if self.head["coated"]:
+            raise InvalidArgumentError("the law is that of a coated body: these functions hold for half-spaces. Use `advance`")
         panels, rows = int(self.head["panels"]), int(self.head["rows"])
         self.elastic = law_arrays(buffer[int(self.head["elastic"]) :])
         # the polynomials of F, a and B2

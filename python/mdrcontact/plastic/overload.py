@@ -234,7 +234,7 @@ class Overload(Value):
     def points(self, depth: ArrayLike) -> LoadingPoints:
         """Return points of first loading for `PlasticLaw.from_table`.
 
-        That law unloads as on a half-space. Unloading of a coated body is that of its imprints.
+        That law unloads as on a half-space. `PlasticLaw.from_overload` is the law of a coated body.
 
         Parameters
         ----------

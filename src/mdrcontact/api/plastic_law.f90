@@ -10,12 +10,15 @@ module mdrcontact_api_plastic_law
     use mdrcontact_error, only: check_memory, count_text, error_invalid, error_t, raise, raise_at
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_plastic_law, only: plastic_law_t, plastic_steps_t
+    use mdrcontact_plastic_law_coated, only: new_plastic_law_from_overload
     use mdrcontact_plastic_law_new, only: new_plastic_law, new_plastic_law_from_points, plastic_options_t
+    use mdrcontact_plastic_overload, only: overload_t
     use mdrcontact_plastic_yielding, only: new_elastic, new_yielding, yield_stress_from_hardness, yielding_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
     public :: mdr_yielding_new, mdr_yield_stress_from_hardness, mdr_plastic_law_new, mdr_plastic_law_from_points, &
+              mdr_plastic_law_from_overload, &
               mdr_plastic_law_about, mdr_plastic_law_advance, mdr_plastic_law_energies, mdr_plastic_law_loading, &
               mdr_plastic_law_restitution, mdr_plastic_law_buffer
 
@@ -89,8 +92,7 @@ contains
     function mdr_plastic_law_from_points(n, d, force, a, residual, modulus, options, out) result(status) &
         bind(C, name="mdrcontact_entry_plastic_law_from_points")
         integer(c_int), value :: n
-        real(c_double), intent(in), optional :: d(n), force(n), a(n), residual(n)
-        real(c_double), value :: modulus
+        real(c_double), intent(in), optional :: d(n), force(n), a(n), residual(n), modulus(n)
         type(c_ptr), value :: options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -106,6 +108,26 @@ contains
         call move_alloc(law, object)
         status = return_object(object, out, error)
     end function mdr_plastic_law_from_points
+
+    function mdr_plastic_law_from_overload(rule, largest_depth, options, out) result(status) &
+        bind(C, name="mdrcontact_entry_plastic_law_from_overload")
+        type(c_ptr), value :: rule, options
+        real(c_double), value :: largest_depth
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(overload_t), pointer :: inside
+        type(plastic_options_t) :: chosen
+        type(plastic_law_t), allocatable :: law
+        class(*), allocatable :: object
+        type(error_t), allocatable :: error
+
+        allocate (law)
+        call open_handle(rule, "rule", inside, error)
+        call read_law_options(options, chosen, error)
+        if (.not. allocated(error)) call new_plastic_law_from_overload(law, inside, largest_depth, error, chosen)
+        call move_alloc(law, object)
+        status = return_object(object, out, error)
+    end function mdr_plastic_law_from_overload
 
     !> struct mdr_plastic_law_options, or NULL, in the core's words.
     subroutine read_law_options(options, chosen, error)

@@ -118,11 +118,11 @@ static void follow(world *w, const mdr_plastic_law *law)
 static mdr_plastic_law *law_of_points(world *w, const mdr_plastic_law_options *options)
 {
     const int n = take_count(&w->in);
-    double x[4][MOST_POINTS];
+    double x[5][MOST_POINTS];
     mdr_plastic_law *law = NULL;
 
-    for (int i = 0; i < 4; i++) take_ascending(&w->in, x[i]);
-    const int status = mdr_plastic_law_from_points(n, x[0], x[1], x[2], x[3], take_positive(&w->in), options, &law);
+    for (int i = 0; i < 5; i++) take_ascending(&w->in, x[i]);
+    const int status = mdr_plastic_law_from_points(n, x[0], x[1], x[2], x[3], x[4], options, &law);
     judge_object("mdr_plastic_law_from_points", status, law);
     return law;
 }
@@ -216,6 +216,13 @@ static void limit(world *w)
     status = mdr_cap_pressure(cap, take_positive(&w->in), points, x, out[0], out[1]);
     judge("mdr_cap_pressure", status, points, out[0], FINITE);
     judge("mdr_cap_pressure", status, points, out[1], FINITE);
+    if (afford(w, POINTS_OF_RULE * PRICE_OF_IMPRINT)) {
+        mdr_plastic_law *law = NULL;
+        status = mdr_plastic_law_from_overload(rule, x[0], NULL, &law);
+        judge_object("mdr_plastic_law_from_overload", status, law);
+        if (status == MDR_SUCCESS) follow(w, law);
+        judge_status("mdr_free", mdr_free(law));
+    }
     judge_status("mdr_free", mdr_free(rule));
     judge_status("mdr_free", mdr_free(cap));
 }

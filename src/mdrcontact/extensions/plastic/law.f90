@@ -29,7 +29,7 @@ module mdrcontact_plastic_law
         type(c_ptr) :: edges = c_null_ptr, rows = c_null_ptr, energy = c_null_ptr, tension = c_null_ptr
         real(c_double) :: modulus = 0.0_c_double, line = 0.0_c_double, hertz = 0.0_c_double, radius = 0.0_c_double, &
                           touch = 0.0_c_double
-        integer(c_int) :: panels = 0_c_int
+        integer(c_int) :: panels = 0_c_int, coated = 0_c_int
     end type plastic_view_t
 
     !> A law. It never changes.
@@ -42,7 +42,9 @@ module mdrcontact_plastic_law
         real(wp) :: yield_depth = 0.0_wp, yield_force = 0.0_wp, first_yield = 0.0_wp
         !> the largest depth, F and a there
         real(wp) :: largest_depth = 0.0_wp, largest_force = 0.0_wp, largest_radius = 0.0_wp
-        !> R of a paraboloid [length], 0: the law is one of points; E* [modulus]; work of adhesion [modulus length]
+        !> whether E* with which a contact unloads varies with its largest depth
+        logical :: is_coated = .false.
+        !> R of a paraboloid [length], 0: the law is one of points; E*, of a coated body at the largest depth [modulus]; work of adhesion [modulus length]
         real(wp) :: radius = 0.0_wp, modulus = 0.0_wp, work_of_adhesion = 0.0_wp
         !> the tolerance set, and the largest error of the polynomials that was found, relative
         real(wp) :: tolerance = 0.0_wp, error = 0.0_wp

@@ -17,12 +17,15 @@ module mdrcontact_plastic_loading
         real(wp) :: depth = 0.0_wp, radius = 0.0_wp, force = 0.0_wp
         !> A2/E* of the line load A2 s + A1 s^2 (theory/plastic.md (2.1)) [length]
         real(wp) :: uniform = 0.0_wp
+        !> E*, with which this imprint unloads [modulus]
+        real(wp) :: modulus = 0.0_wp
     end type loaded_t
 
     !> A curve of first loading from yield on.
     type, abstract :: loading_t
-        !> E*, with which the contact unloads [modulus]
+        !> E*, with which the contact unloads [modulus]; the largest where it varies with the depth
         real(wp) :: modulus = 0.0_wp
+        logical :: is_coated = .false.
         !> the first depth and the last one of the curve [length]
         real(wp) :: first = 0.0_wp, last = 0.0_wp
         !> depths between them at which it is not smooth, rising [length]
@@ -59,7 +62,7 @@ module mdrcontact_plastic_loading
 
     !> Points of a measured or computed curve, with cubics between them that rise.
     type, extends(loading_t) :: table_loading_t
-        type(monotone_table_t), private :: force, radius, recovery
+        type(monotone_table_t), private :: force, radius, recovery, stiffness
     contains
         procedure :: at_depth => table_at_depth
     end type table_loading_t
@@ -121,6 +124,7 @@ contains
         state%radius = total*self%radius*stress/self%own_modulus
         own = state%radius*self%own_modulus/(load*stress)
         state%force = pi*state%radius**2*stress*pressure
+        state%modulus = self%modulus
         state%depth = state%radius**2/own*depth + line*stress*pressure*state%radius*self%share/self%own_modulus
         state%uniform = pi/2.0_wp*deficit*state%radius*pressure*stress/self%modulus/(pi/4.0_wp - 2.0_wp/3.0_wp)
     end function at_load
@@ -189,17 +193,20 @@ contains
         type(table_loading_t), intent(out) :: self
         !> d, F and a of at least 3 points, each > 0 and rising; the depth that remains after an elastic unloading from each
         real(wp), intent(in) :: depth(:), force(:), radius(:), residual(:)
-        !> E* > 0, with which the contact unloads [modulus]
-        real(wp), intent(in) :: modulus
+        !> E* > 0, with which the contact unloads from each [modulus]
+        real(wp), intent(in) :: modulus(:)
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: recovery(:)
-        integer :: n, stat
+        integer :: i, n, stat
 
         n = size(depth)
         call check_same_size(error, n, size(force))
         call check_same_size(error, n, size(radius))
         call check_same_size(error, n, size(residual))
-        call check_positive(error, "modulus", modulus)
+        call check_same_size(error, n, size(modulus))
+        do i = 1, n
+            if (.not. allocated(error)) call check_positive(error, "modulus", modulus(i), i)
+        end do
         if (n < 3) call raise(error, error_invalid, "depth: the curve needs at least 3 points")
         call check_rising("depth", depth, error)
         call check_rising("force", force, error)
@@ -214,8 +221,10 @@ contains
         if (allocated(error)) return
         recovery = depth - residual
         call new_monotone_table(self%recovery, depth, recovery, error)
+        if (.not. allocated(error)) call new_monotone_table(self%stiffness, depth, modulus, error)
         if (allocated(error)) return
-        self%modulus = modulus
+        self%modulus = maxval(modulus)
+        self%is_coated = any(modulus < self%modulus)
         self%first = depth(1)
         self%last = depth(n)
         self%breaks = depth(2:n - 1)
@@ -240,7 +249,7 @@ contains
 
     !> Raises unless imprints of two terms leave these depths: A2 >= 0 and A2 + 2 A1 > 0.
     pure subroutine check_residual(depth, force, radius, residual, modulus, error)
-        real(wp), intent(in) :: depth(:), force(:), radius(:), residual(:), modulus
+        real(wp), intent(in) :: depth(:), force(:), radius(:), residual(:), modulus(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: mean
         integer :: i
@@ -249,7 +258,7 @@ contains
             call check_not_negative(error, "residual_depth", residual(i), i)
             if (allocated(error)) return
             ! of A1 and A2 over E*
-            mean = 0.5_wp*force(i)/(radius(i)*modulus)
+            mean = 0.5_wp*force(i)/(radius(i)*modulus(i))
             associate (recovery => depth(i) - residual(i), least => mean/(pi/2.0_wp - 2.0_wp/3.0_wp), most => 1.5_wp*mean)
                 if (recovery > most*(1.0_wp + nothing) .or. .not. recovery > least) then
                     call raise(error, error_domain, " = "//to_text(residual(i))//": an imprint of this force and radius leaves "// &
@@ -269,7 +278,9 @@ contains
         state%depth = depth
         state%force = self%force%at(depth)
         state%radius = self%radius%at(depth)
-        state%uniform = max((state%force/(2.0_wp*state%radius*self%modulus) - 2.0_wp/3.0_wp*self%recovery%at(depth)) &
+        state%modulus = self%modulus
+        if (self%is_coated) state%modulus = self%stiffness%at(depth)
+        state%uniform = max((state%force/(2.0_wp*state%radius*state%modulus) - 2.0_wp/3.0_wp*self%recovery%at(depth)) &
                             /(pi/4.0_wp - 2.0_wp/3.0_wp), 0.0_wp)
     end function table_at_depth
 

@@ -26,17 +26,17 @@ module mdrcontact_plastic_law_compile
     real(wp), parameter :: fit_share = 0.3_wp
     !> First number of the buffer, and numbers of its head, struct mdr_plastic_head, before the next row.
     real(wp), parameter :: format = 1296843602.0_wp
-    integer, parameter :: head_size = 17
-    !> Columns of a panel, F, a and a A2/E* of the imprint; numbers for each power, the last of which is 0.
-    integer, parameter :: columns = 3, width = 4, row = coefficient_count
+    integer, parameter :: head_size = 18
+    !> Columns of a panel, F, a, a A2/E* of the imprint, and 3 F/(4 E*) of coated bodies; coefficients of each.
+    integer, parameter :: columns = 4, row = coefficient_count
     !> Length of the first panel over the yield depth, and the most bits that number a panel.
     real(wp), parameter :: first_panel = 1.0e-4_wp
     integer, parameter :: fewest_bits = 2, most_bits = 7
     !> Most panels between breaks, and where in a panel the polynomials are compared.
     integer, parameter :: most_panels = 4096
     real(wp), parameter :: probes(3) = [-0.873_wp, 0.117_wp, 0.739_wp]
-    !> Loss may fall by this part of the work through rounding.
-    real(wp), parameter :: rounding = 1.0e-12_wp
+    !> Loss may fall by this part of the largest through rounding, and between the points of curves of coated bodies.
+    real(wp), parameter :: rounding = 1.0e-12_wp, between_points = 1.0e-6_wp
     !> Gauss's points and weights on (0, 1).
     integer, parameter :: points = 4
     real(wp), parameter :: x_gauss(points) = [0.069431844202973712_wp, 0.33000947820757187_wp, 0.66999052179242813_wp, &
@@ -84,7 +84,7 @@ contains
         law%elastic = elastic%by_depth
         if (highest > loading%first) then
             first = loading%at_depth(loading%first)
-            panels%joint(1) = elastic%force(loading%first)/first%force
+            panels%joint([1, 4]) = elastic%force(loading%first)/first%force
             if (size(loading%breaks) == 0) then
                 call find_panels_by_bits(panels, loading, highest, fit_share*law%tolerance, error)
             else
@@ -97,7 +97,7 @@ contains
         if (allocated(error)) return
         law%error = max(elastic%error, panels%error)
         call pack_law(law, panels, loading, highest, line, error)
-        if (line > 0.0_wp .and. .not. allocated(error)) call check_loss(law, panels%ends, error)
+        if ((line > 0.0_wp .or. law%is_coated) .and. .not. allocated(error)) call check_loss(law, panels%ends, error)
     end subroutine compile_loading
 
     !> Panels that shrink towards yield, where F has a power 5/2 of the depth beyond it.
@@ -206,6 +206,7 @@ contains
         scale = maxval(abs(values), dim=1)
         ! the uniform pressure grows from 0: it counts against the whole
         scale(3) = max(scale(3), scale(1)/loading%modulus)
+        scale(4) = max(scale(4), tiny(1.0_wp))
         worst = 0.0_wp
         do i = 1, size(probes)
             between = joint*numbers_at(loading, 0.5_wp*(ends(1)*(1.0_wp - probes(i)) + ends(2)*(1.0_wp + probes(i))))
@@ -224,7 +225,8 @@ contains
         type(loaded_t) :: state
 
         state = loading%at_depth(min(max(depth, loading%first), loading%last))
-        numbers = [state%force, state%radius, state%radius*state%uniform]
+        numbers = [state%force, state%radius, state%radius*state%uniform, 0.0_wp]
+        if (loading%is_coated) numbers(4) = 0.75_wp*state%force/state%modulus
     end function numbers_at
 
     !> Writes the buffer.
@@ -241,7 +243,7 @@ contains
         elastic = next_row(head_size)
         ends = next_row(elastic + packed_size(law%elastic))
         rows = next_row(ends + merge(0, n + 1, panels%by_bits))
-        energy = rows + width*row*n
+        energy = rows + columns*row*n
         tension = next_row(energy + n)
         count = tension + merge(row*n, 0, line > 0.0_wp)
         allocate (law%buffer(count), source=0.0_wp, stat=stat)
@@ -251,7 +253,7 @@ contains
                                   panels%interval%offset, real(panels%interval%bits, wp), real(n, wp), &
                                   real(merge(0, ends, panels%by_bits), wp), real(rows, wp), real(energy, wp), &
                                   real(merge(tension, 0, line > 0.0_wp), wp), law%modulus, line, elastic_radius(law, loading), &
-                                  (line**2*elastic_radius(law, loading))**(1.0_wp/3.0_wp)]
+                                  (line**2*elastic_radius(law, loading))**(1.0_wp/3.0_wp), merge(1.0_wp, 0.0_wp, law%is_coated)]
         call pack_table(law%elastic, law%buffer(elastic + 1:elastic + packed_size(law%elastic)))
         if (.not. panels%by_bits) law%buffer(ends + 1:ends + n + 1) = panels%ends
         work = energy_at(law%elastic, interval_for(law%elastic, on_unloading, min(loading%first, law%elastic%highest)), &
@@ -261,7 +263,7 @@ contains
             y = [-1.0_wp, 1.0_wp]
             if (panels%by_bits) y = panel_ends(panels%interval, i)
             unit = 0.5_wp*(y(2) - y(1))
-            call pack_panel(law%buffer, [rows + width*row*(i - 1), energy + i, tension + row*(i - 1)], panels%c(:, :, i), &
+            call pack_panel(law%buffer, [rows + columns*row*(i - 1), energy + i, tension + row*(i - 1)], panels%c(:, :, i), &
                             panels%ends(i:i + 1), unit, law%modulus, line, work, taken)
         end do
     end subroutine pack_law
@@ -301,7 +303,7 @@ contains
         half = 0.5_wp*(ends(2) - ends(1))
         ! the columns of a power lie together
         do j = 1, columns
-            buffer(places(1) + j:places(1) + j + width*(row - 1):width) = in_units_of(c(:, j), unit)
+            buffer(places(1) + j:places(1) + j + columns*(row - 1):columns) = in_units_of(c(:, j), unit)
         end do
         moments = polynomial_moments(c(:, 1), -1.0_wp)
         middle = work - half*moments(1)
@@ -356,7 +358,9 @@ contains
         do i = 1, size(ends) - 1
             do k = 1, points
                 loss = mdrcontact_plastic_loss(view, min(ends(i) + x_gauss(k)*(ends(i + 1) - ends(i)), view%highest))
-                if (loss < before - rounding*abs(largest)) then
+                if (loss < before - merge(between_points, rounding, law%is_coated)*abs(largest)) then
+                    if (law%is_coated) call raise(error, error_domain, "plastic flow on first loading would give energy back "// &
+                                                  "at the depth "//to_text(ends(i))//". Check the curve")
                     call raise(error, error_domain, " = "//to_text(law%work_of_adhesion)//": plastic flow on first loading "// &
                                "would give energy back at the depth "//to_text(ends(i))//". Decrease it, or largest_depth", &
                                "work_of_adhesion")
@@ -392,10 +396,10 @@ contains
         call pack_table(law%elastic, law%buffer(first + 1:first + packed_size(law%elastic)))
         if (ends > 0) law%buffer(ends + 1:ends + n + 1) = factor*law%buffer(ends + 1:ends + n + 1)
         do i = 1, n
-            associate (panel => law%buffer(rows + width*row*(i - 1) + 1:rows + width*row*i))
-                panel(1::width) = factor**2*panel(1::width)
-                panel(2::width) = factor*panel(2::width)
-                panel(3::width) = factor**2*panel(3::width)
+            associate (panel => law%buffer(rows + columns*row*(i - 1) + 1:rows + columns*row*i))
+                panel(1::columns) = factor**2*panel(1::columns)
+                panel(2::columns) = factor*panel(2::columns)
+                panel(3::columns) = factor**2*panel(3::columns)
             end associate
         end do
         law%buffer(energy + 1:energy + n) = factor**3*law%buffer(energy + 1:energy + n)

@@ -58,7 +58,7 @@ static inline void unload(const mdr_plastic_view *view, int n, const double deep
     for (int i = 0; i < n; ++i) mdr_plastic_columns(view, deepest[i], column + 4 * i);
     for (int i = 0; i < n; ++i) {
         const mdr_plastic_imprint imprint = mdr_plastic_imprint_from(view, column + 4 * i);
-        mdr_plastic_unload(view, &imprint, deepest[i] - d[i], &F[i], &slope[i], &a[i]);
+        mdr_plastic_unload(&imprint, deepest[i] - d[i], &F[i], &slope[i], &a[i]);
     }
 }
 

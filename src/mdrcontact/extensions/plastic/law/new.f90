@@ -106,22 +106,29 @@ contains
     end subroutine find_moduli
 
     !> The law of a curve of first loading, elastic before its first depth as a paraboloid on a homogeneous half-space.
-    subroutine new_plastic_law_from_loading(self, loading, largest_depth, error, options)
+    subroutine new_plastic_law_from_loading(self, loading, largest_depth, error, options, contact)
         !> with R and L at first yield, where they are known
         type(plastic_law_t), intent(inout) :: self
         class(loading_t), intent(in) :: loading
         real(wp), intent(in) :: largest_depth
         type(error_t), allocatable, intent(inout) :: error
         type(plastic_options_t), intent(in) :: options
+        !> before the first depth; not present: a paraboloid on a half-space
+        type(contact_t), intent(in), optional :: contact
         type(loaded_t) :: first, last
         type(contact_law_t) :: elastic
         real(wp) :: line, highest, end_depth
 
         call check_not_negative(error, "work_of_adhesion", options%work_of_adhesion)
         call check_within(error, "tolerance", options%tolerance, smallest_tolerance, largest_tolerance)
+        if (loading%is_coated .and. options%work_of_adhesion > 0.0_wp) then
+            call raise(error, error_invalid, " = "//to_text(options%work_of_adhesion)//": laws of coated bodies have no "// &
+                       "adhesion. Omit it", "work_of_adhesion")
+        end if
         if (allocated(error)) return
         self%tolerance = options%tolerance
         self%modulus = loading%modulus
+        self%is_coated = loading%is_coated
         self%work_of_adhesion = options%work_of_adhesion
         line = 2.0_wp*pi*options%work_of_adhesion/loading%modulus
         first = loading%at_depth(loading%first)
@@ -132,7 +139,11 @@ contains
         if (.not. allocated(error)) call check_range(self, largest_depth, end_depth, last, error)
         if (allocated(error)) return
         highest = without_adhesion(loading, first, largest_depth, line)
-        call compile_elastic(elastic, self, loading, first, highest, largest_depth, error)
+        if (present(contact)) then
+            call compile_contact(elastic, contact, self%tolerance, largest_depth, error)
+        else
+            call compile_elastic(elastic, self, loading, first, highest, largest_depth, error)
+        end if
         if (allocated(error)) return
         call add_facts(self, loading, elastic, first, highest, largest_depth, line)
         call check_slope(self, largest_depth, error)
@@ -243,6 +254,17 @@ contains
         if (.not. allocated(error)) call new_contact_law(elastic, contact, reach, error, options)
     end subroutine compile_elastic
 
+    subroutine compile_contact(elastic, contact, tolerance, largest_depth, error)
+        type(contact_law_t), intent(out) :: elastic
+        type(contact_t), intent(in) :: contact
+        real(wp), intent(in) :: tolerance, largest_depth
+        type(error_t), allocatable, intent(out) :: error
+        type(law_options_t) :: options
+
+        options%tolerance = tolerance
+        call new_contact_law(elastic, contact, largest_depth, error, options)
+    end subroutine compile_contact
+
     !> The numbers of a law at first yield and at its end.
     pure subroutine add_facts(law, loading, elastic, first, highest, largest_depth, line)
         type(plastic_law_t), intent(inout) :: law
@@ -261,6 +283,7 @@ contains
             last%radius = first%radius*sqrt(highest/first%depth)
             call elastic%force_and_slope(highest, last%force, slope)
         end if
+        if (law%is_coated) law%modulus = last%modulus
         law%largest_depth = largest_depth
         law%largest_radius = last%radius
         law%largest_force = last%force - 2.0_wp*law%modulus*last%radius*sqrt(line*last%radius)
@@ -283,8 +306,8 @@ contains
         type(plastic_law_t), intent(out) :: self
         !> d, F and a, each > 0 and rising; the depth that remains after an unloading from each, as of new_table_loading [length]
         real(wp), intent(in) :: depth(:), force(:), radius(:), residual(:)
-        !> E* > 0, with which the contact unloads [modulus]
-        real(wp), intent(in) :: modulus
+        !> E* > 0, with which the contact unloads from each [modulus]
+        real(wp), intent(in) :: modulus(:)
         type(error_t), allocatable, intent(out) :: error
         type(plastic_options_t), intent(in), optional :: options
         type(plastic_options_t) :: chosen
@@ -302,7 +325,7 @@ contains
         if (allocated(error)) return
         largest_depth = loading%last
         if (chosen%work_of_adhesion > 0.0_wp) then
-            largest_depth = end_of(loading%at_depth(loading%last), 2.0_wp*pi*chosen%work_of_adhesion/modulus)
+            largest_depth = end_of(loading%at_depth(loading%last), 2.0_wp*pi*chosen%work_of_adhesion/loading%modulus)
         end if
         if (.not. largest_depth > 0.0_wp) then
             call raise(error, error_domain, "work_of_adhesion = "//to_text(chosen%work_of_adhesion)//": the curve ends before "// &
