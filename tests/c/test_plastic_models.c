@@ -22,6 +22,48 @@ static void make_contacts(void)
     CHECK_FREE(coated);
 }
 
+/* The law of a rule: on a half-space, and on a film of the same constants, that of the paraboloid; refusals. */
+static void test_law_of_a_rule(void)
+{
+    const double yield_stress[2] = {1e-4, 4e-4}, strain = 0.0, Y = 1e-4, deepest = 1.5e-6;
+    mdr_profile *tip = NULL;
+    mdr_yielding *metal = NULL;
+    mdr_overload *rules[2] = {NULL, NULL};
+    mdr_plastic_law *law = NULL, *expected = NULL, *none = NULL;
+    mdr_plastic_law_options options = MDR_SIZED(mdr_plastic_law_options);
+
+    CHECK_SUCCESS(mdr_profile_paraboloid(2.0, &tip));
+    CHECK_SUCCESS(mdr_yielding_new(3.0, 0.25, 1, &strain, &Y, &metal));
+    CHECK_SUCCESS(mdr_plastic_law_new(tip, metal, deepest, NULL, &expected));
+    CHECK_SUCCESS(mdr_overload_new(ball, 1, yield_stress, &rules[0]));
+    CHECK_SUCCESS(mdr_overload_new(on_film, 2, yield_stress, &rules[1]));
+    for (int i = 0; i < 2; i++) {
+        CHECK_SUCCESS(mdr_plastic_law_from_overload(rules[i], deepest, NULL, &law));
+        for (int j = 0; j < 20; j++) {
+            const double d = 0.07 * deepest * (j % 10 + 4), back = j < 10 ? d : 0.9 * d;
+            double memory[2] = {d, d}, F[2];
+            CHECK_SUCCESS(mdr_plastic_law_advance(law, 1, &back, 1, memory, F, NULL, NULL));
+            CHECK_SUCCESS(mdr_plastic_law_advance(expected, 1, &back, 1, memory + 1, F + 1, NULL, NULL));
+            CHECK_CLOSE(F[0], F[1], 1e-4);
+        }
+        CHECK_FREE(law);
+        law = NULL;
+    }
+    CHECK_STATUS(mdr_plastic_law_from_overload(NULL, deepest, NULL, &none), MDR_ENULL, "rule");
+    CHECK_STATUS(mdr_plastic_law_from_overload((mdr_overload *)ball, deepest, NULL, &none), MDR_EINVALID, "mdr_overload");
+    CHECK_STATUS(mdr_plastic_law_from_overload(rules[0], deepest, NULL, NULL), MDR_ENULL, "out");
+    CHECK_STATUS(mdr_plastic_law_from_overload(rules[0], 0.0, NULL, &none), MDR_EINVALID, "largest_depth");
+    CHECK_STATUS(mdr_plastic_law_from_overload(rules[0], 1e-12, NULL, &none), MDR_EDOMAIN, "nothing yields");
+    options.other = metal;
+    CHECK_STATUS(mdr_plastic_law_from_overload(rules[0], deepest, &options, &none), MDR_EINVALID, "other");
+    CHECK_TRUE(none == NULL);
+    CHECK_FREE(expected);
+    CHECK_FREE(rules[0]);
+    CHECK_FREE(rules[1]);
+    CHECK_FREE(metal);
+    CHECK_FREE(tip);
+}
+
 /* Virgin loading at L = 40, nu = 0.25; a film of the same elastic constants changes nothing but the errors. */
 static void test_overload(void)
 {
@@ -119,6 +161,7 @@ int main(void)
 {
     make_contacts();
     test_overload();
+    test_law_of_a_rule();
     test_cap();
     test_truncated();
     CHECK_FREE(ball);

@@ -7,7 +7,7 @@
 
 /* the rows of states have doubles only */
 enum {
-    PRICE_OF_IMPRINT = 4, PRICE_OF_LAW = 20, PRICE_OF_STATES = 20, EXACT = 4, MOST_MEMORY = 2, MOST_STATES = 2,
+    POINTS_OF_RULE = 100, PRICE_OF_IMPRINT = 4, PRICE_OF_LAW = 20, PRICE_OF_STATES = 20, EXACT = 4, MOST_MEMORY = 2, MOST_STATES = 2,
     OVERLOAD = sizeof(mdr_overload_state) / sizeof(double), CAP = sizeof(mdr_cap_state) / sizeof(double), WIDEST = OVERLOAD
 };
 

@@ -703,6 +703,14 @@ def overload(rule: Any) -> Numbers:
     return {**columns, "imprint": states["depth"].imprint().residual_depth, "points": points.residual_depth}
 
 
+@answer("PlasticLaw.from_overload", tolerance=1e-6)
+def coated_law(rule: Any) -> Numbers:
+    """First loading, and unloading from a largest depth beyond yield."""
+    depth = float(rule.at_radius(0.05).depth)
+    law = mdr.plastic.PlasticLaw.from_overload(rule, depth)
+    return {"": law.loading(0.8 * depth).force, "unloaded": law.try_(np.full((1, 1), depth), [0.95 * depth]).force}
+
+
 @answer("PressureCap.at_radius", "PressureCap.at_depth", "PressureCap.at_force", "CapState.pressure", "CapState.residual",
         "CapState.imprint", tolerance=1e-5)  # fmt: skip
 def pressure_cap(cap: Any) -> Numbers:

@@ -486,15 +486,15 @@ _except(
 _except(
     "conducting has no part in mechanics",
     "Elastic.conductor=present",
-    "overload pressure_cap",
+    "overload coated_law pressure_cap",
 )
 _except(
     "without adhesion no spring is stretched",
     "Contact.adhesion_rule=paper Contact.adhesion_rule=energy",
-    "overload",
+    "overload coated_law",
 )
 _except(
     "the yield stress of a body below the film decides only whether the rule holds",
     "Overload.yield_stresses[1]",
-    "overload",
+    "overload coated_law",
 )

@@ -428,7 +428,7 @@ def _plastic_models() -> list[Scene]:
     film, base = mdr.Elastic(1.0, 0.3), mdr.Elastic(3.0, 0.2)
     contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Layered([(film, 0.06)], base))
     return [
-        Scene("overload rule", mdr.plastic.Overload(contact, (6e-3, 0.05)), ("overload",)),
+        Scene("overload rule", mdr.plastic.Overload(contact, (6e-3, 0.05)), ("overload", "coated_law")),
         Scene(
             "overload of a half-space",
             mdr.plastic.Overload(mdr.Contact(mdr.Cone(0.05), mdr.Homogeneous(film)), (6e-3,)),

@@ -69,6 +69,8 @@ module mdrcontact_plastic_loading
 
     !> A term that is negative by no more than this part of the line load on the axis is 0: Hertz's unloading.
     real(wp), parameter :: nothing = 5.0e-3_wp
+    !> Relative difference of moduli that are one.
+    real(wp), parameter :: same = 1.0e-9_wp
     !> Largest number of steps of a search, and where it ends.
     integer, parameter :: most_steps = 200
     real(wp), parameter :: close = 4.0_wp*epsilon(1.0_wp)
@@ -224,7 +226,7 @@ contains
         if (.not. allocated(error)) call new_monotone_table(self%stiffness, depth, modulus, error)
         if (allocated(error)) return
         self%modulus = maxval(modulus)
-        self%is_coated = any(modulus < self%modulus)
+        self%is_coated = any(modulus < (1.0_wp - same)*self%modulus)
         self%first = depth(1)
         self%last = depth(n)
         self%breaks = depth(2:n - 1)
