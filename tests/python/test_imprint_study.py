@@ -186,6 +186,29 @@ def test_other_commands_need_what_to_compute():
         problem.read(changed(imprint=None))
 
 
+def test_adhesion_must_not_yield_the_body_alone():
+    """a_0 E*/(R Y) = L_y with a_0^3 = 9 pi gamma R^2/(2 E*), theory/plastic.md (3.6)."""
+    loaded = {**{name: keys for name, keys in TABLES.items() if name != "imprint"}, "compute": {"forces": ["2.5 mN"]}}
+    first = mdr.plastic.PlasticLaw(mdr.Paraboloid(10e-6), mdr.plastic.Yielding(mdr.Elastic(70e9, 0.33), 0.35e9), 1e-8).first_yield
+    work = 2.0 * MODULUS / (9.0 * np.pi * 10e-6**2) * (first * 10e-6 * 0.35e9 / MODULUS) ** 3
+    found = studies.imprint(problem.read({**loaded, "adhesion": {"work_of_adhesion": f"{0.99 * work} J/m^2"}}))
+    assert found.contact.work_of_adhesion == pytest.approx(0.99 * work)
+    for much in (1.01, 1e4):
+        with pytest.raises(ProblemError, match="work_of_adhesion.*adhesion alone yields the body"):
+            studies.imprint(problem.read({**loaded, "adhesion": {"work_of_adhesion": f"{much * work} J/m^2"}}))
+    assert studies.imprint(problem.read(changed(adhesion={"work_of_adhesion": f"{much * work} J/m^2"}))), "a measured imprint"
+
+
+def test_depths_and_indenters_of_an_imprint():
+    for depths in (["70 nm"], ["30 nm"]):
+        with pytest.raises(ProblemError, match=r"\[compute\]: an imprint unloads from 61.5 nm to its residual depth 38.8 nm"):
+            studies.imprint(problem.read(changed(compute={"depths": depths})))
+    sticky = changed(compute={"depths": ["38 nm", "61.5 nm"]}, adhesion={"work_of_adhesion": "1 J/m^2"})
+    assert studies.imprint(problem.read(sticky)).values("states")[0] == pytest.approx([38e-9, 61.5e-9])
+    with pytest.raises(ProblemError, match=r"\[indenter\]: the contact radius of a flat punch does not change"):
+        studies.imprint(problem.read({**TABLES, "indenter": {"shape": "flat-punch", "radius": "1 um"}}))
+
+
 @pytest.mark.parametrize("ratio", [None, 0.1])
 def test_a_hardness_instead_of_a_yield_stress(ratio):
     """The same R_Y as with Y by hand, and a note on its error; the overload rule takes it, too."""

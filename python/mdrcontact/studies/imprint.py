@@ -9,12 +9,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from .._units import ENERGY, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS
+from .._warn import silence
 from ..contact import Contact
+from ..errors import MDRError
 from ..panels import Figure, Line, Panel, Rule, along
 from ..plastic import Imprint, Overload, YieldStress
 from ..problem import Problem, ProblemError
 from ..problem.compute import Control
 from ..problem.imprint import Imprinted, unloading
+from ..profile import FlatPunch
 from ..progress import Progress
 from .result import Array, Column, Number, Result, Table, column, study
 from .stress import layer_name
@@ -99,7 +102,8 @@ def imprint(problem: Problem, *, progress: Progress | None = None) -> ImprintRes
     Raises
     ------
     ProblemError
-        [imprint] and yield stresses are missing, or the work of adhesion depends on speed or acts at a distance.
+        [imprint] and yield stresses are missing; the work of adhesion depends on speed, acts at a distance, or yields the body
+        alone; the indenter is a flat punch, or depths of [compute] are not those of the imprint.
     MDRError
         The imprint has no elastic contact, or it yields again on unloading, R_Y > 3.
 
@@ -144,12 +148,33 @@ def imprint(problem: Problem, *, progress: Progress | None = None) -> ImprintRes
 
 def _imprint(problem: Problem) -> tuple[Imprint, Control]:
     """Return the imprint of [imprint], or that of loading by the overload rule, and the states on unloading."""
+    if isinstance(problem.indenter, FlatPunch):
+        remedy = "Use mdrcontact curve: unloading has the stiffness of its states"
+        raise ProblemError("the contact radius of a flat punch does not change, and leaves no imprint", remedy, table="indenter")
     if problem.imprint is not None or not problem.yield_stresses:
         given: Imprinted = problem.part("imprint")
         return given.imprint(problem.medium), problem.control
     rule = Overload(Contact(problem.indenter, problem.medium), [y for y, _ in _limits(problem.yield_stresses)])
+    _check_adhesion(problem, rule)
     made = getattr(rule, f"at_{problem.control.name}")(float(problem.control.values[-1])).imprint()
     return made, unloading(made.force)
+
+
+def _check_adhesion(problem: Problem, rule: Overload) -> None:
+    """Raise an error if the contact at force 0 yields by adhesion alone, theory/plastic.md (3.6)."""
+    work = _work_of_adhesion(problem)
+    if not work:
+        return
+    radius = float(Contact(problem.indenter, problem.medium, work_of_adhesion=work).at_force(0.0).radius)
+    try:
+        with silence():
+            yields = float(rule.at_radius(radius).force_error) > 0.0
+    except MDRError:
+        yields = True
+    if yields:
+        remedy = "Decrease it, or measure the indent and write it in [imprint]"
+        given = f"{work:g} J/m^2"
+        raise ProblemError("adhesion alone yields the body", remedy, table="adhesion", key="work_of_adhesion", value=given)
 
 
 def _limits(stresses: tuple[YieldStress | None, ...]) -> list[YieldStress]:
@@ -174,9 +199,10 @@ def _reverse_yield(made: Imprint, stresses: tuple[YieldStress | None, ...]) -> t
     most = made.reverse_yield(limits).ratio
     found, notes = {}, {}
     for i in np.flatnonzero(np.isfinite(limits)):
-        place = "half-space" if len(limits) == 1 else layer_name(tuple(limits), i)
+        place = "half-space" if len(limits) == 1 else layer_name(tuple(limits), int(i))
         alone = np.where(np.arange(len(limits)) == i, limits, np.inf)
-        found[f"R_Y of the {place}"] = Number(made.reverse_yield(alone).ratio, RATIO)
+        with silence():
+            found[f"R_Y of the {place}"] = Number(made.reverse_yield(alone).ratio, RATIO)
         if errors[i]:
             words = f"The yield stress of the {place} from its hardness is {Number(float(limits[i]), MODULUS)}"
             notes[f"yield stress of the {place}"] = f"{words}, with an error of {100.0 * errors[i]:.2g} %. R_Y has the same error."
@@ -188,6 +214,10 @@ def _reverse_yield(made: Imprint, stresses: tuple[YieldStress | None, ...]) -> t
 def _states(made: Imprint, contact: Contact, control: Control) -> Table:
     """States on unloading; depths from initial contact."""
     if control.name == "depth":
+        low, high = made.residual_depth, made.depth
+        if np.max(control.values) > high * (1.0 + 1e-12) or (not contact.work_of_adhesion and np.min(control.values) < low):
+            rule = f"an imprint unloads from {Number(high, LENGTH)} to its residual depth {Number(low, LENGTH)}"
+            raise ProblemError(rule, "Write depths between them", table="compute")
         control = control._replace(values=control.values - made.residual_depth)
     states = control.states(contact)
     return [
