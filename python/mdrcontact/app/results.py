@@ -9,13 +9,14 @@ from types import MappingProxyType
 from typing import Any, TypeVar
 
 import dash_bootstrap_components as dbc
+import numpy as np
 from dash import ALL, Dash, Input, Output, State, ctx, dcc, html, no_update
 
 from .._units import with_micro
 from ..cli.table import as_csv, as_rows
 from ..cli.workbook import as_xlsx
 from ..errors import CancelledError, MDRError
-from ..panels import Figure, matplotlib, plotly
+from ..panels import Cells, Figure, Panel, matplotlib, plotly
 from ..problem import ProblemError
 from ..progress import Progress
 from ..studies.result import Result
@@ -150,10 +151,17 @@ def panels(figure: Any, drags: str = "") -> Any:
     for i, (one, panel) in enumerate(zip(plotly.draw(figure._replace(panels=panels)), panels, strict=True)):
         own: dict[str, Any] = {"id": {"of": drags, "drag": i}} if drags else {}
         one.update_layout({"dragmode": "select", "selectdirection": "h"} if drags else {})
-        graph = dcc.Graph(figure=one, config=_CONFIG, style={"height": "340px"}, **own)
+        graph = dcc.Graph(figure=one, config=_CONFIG, style={"height": f"{_height(panel):.0f}px"}, **own)
         caption = f"{panel.title}: {panel.y.title} over {panel.x.title}".removeprefix(": ")
         drawn.append(html.Figure([graph, html.Figcaption(caption, className="unseen")]))
     return html.Div(drawn, className="panels")
+
+
+def _height(panel: Panel) -> float:
+    """Height of a drawing [px], less for a flat map."""
+    maps = [one for one in panel.parts if isinstance(one, Cells) and panel.equal]
+    x, y = (float(np.ptp(np.concatenate([getattr(one, name) for one in maps]))) if maps else 1.0 for name in "xy")
+    return min(340.0, 130.0 + 300.0 * y / x)
 
 
 def report(found: Result, figure: Figure | None) -> list[Any]:
