@@ -377,7 +377,7 @@ def test_other_models_of_tamaas_raise(tamaas):
 
 @pytest.mark.slow
 def test_adhesion_by_a_potential(contact_mechanics):
-    """Retraction from a soft film under a polynomial potential: Maugis' states of equal work and largest tension, to 2 % of pull-off."""
+    """Retraction from a soft film: Maugis' states of equal work and largest tension, to 2 % of pull-off."""
     for name in ("Adhesion.System", "Adhesion.Interactions", "SurfaceTopography"):
         engine(name)
     from Adhesion.Interactions import PowerLaw
@@ -396,3 +396,51 @@ def test_adhesion_by_a_potential(contact_mechanics):
         displacements = found.x
         error = system.compute_normal_force() - contact.at_depth(depth).force
         assert abs(error) < 0.02 * 1.5 * math.pi * work
+
+
+def sheared(tamaas, nu, share, coupled):
+    """A ball on a layer on a rigid base under a share of the sliding force, by tamaas."""
+    own = engine("tamaas")
+    layer = mdr.Layered([(mdr.Elastic(E, nu), 0.5)], mdr.RIGID)
+    contact, points, size = mdr.Contact(mdr.Paraboloid(1.0), layer), 64, 4.0
+    state = contact.at_radius(1.0)
+    model = model_of(tamaas, "surface_2d", (points, points), (size, size), nu)
+    tamaas.set_layered(model, layer)
+    if not coupled:
+        model.operators[OWN]["influence"][..., [2, 5, 6, 7]] = 0.0
+    solver = own.PolonskyKeerTan(model, heights("paraboloid", 1.0, points, size), 1e-8, 0.3)
+    solver.max_iter = 500
+    force = share * 0.3 * state.force
+    solver.solve([force / size**2, 0.0, state.force / size**2])
+    traction, displacement = np.array(model.traction), np.zeros((points, points, 3))
+    model.operators[OWN](traction, displacement)
+    x = (np.arange(points) - points // 2) * size / points
+    return traction, displacement, np.hypot(x[:, None], x), mdr.Friction(contact, 0.3).shear(state), force
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("nu", "coupled", "low", "high"),
+    [(0.0, False, -1e-3, 1e-3), (-0.3, False, -1e-3, 1e-3), (0.3, False, 0.0, 2.5e-3), (0.3, True, 2.5e-3, 2e-2)],
+)
+def test_partial_slip_by_tamaas(tamaas, nu, coupled, low, high):
+    """T at the shift of the stick zone. `Friction` neglects cos 2 phi, up to 0.25 %, and the coupling, some per cent."""
+    traction, displacement, r, friction, force = sheared(tamaas, nu, 0.5, coupled)
+    shift = displacement[r < 0.4][:, 0]
+    assert np.ptp(shift) < 1e-4 * np.mean(shift) and np.max(np.abs(displacement[r < 0.4][:, 1])) < 1e-4 * np.mean(shift)
+    assert low < friction.at_shift(float(np.mean(shift))).tangential_force / force - 1.0 < high
+    slips = np.hypot(traction[..., 0], traction[..., 1]) > (0.3 - 1e-3) * traction[..., 2]
+    touches = traction[..., 2] > 1e-6 * np.max(traction)
+    stick = math.sqrt(np.count_nonzero(touches & ~slips) / math.pi) * 4.0 / 64
+    assert stick == pytest.approx(friction.at_force(force).stick_radius, rel=0.015)
+
+
+@pytest.mark.slow
+def test_slip_outside_a_small_stick_zone_by_tamaas(tamaas):
+    """At 0.95 of the sliding force of the library the traction is the coefficient times the pressure outside its stick zone."""
+    traction, _, r, friction, force = sheared(tamaas, 0.0, 0.95, False)
+    assert force == pytest.approx(0.95 * friction.sliding_force)
+    assert np.sum(traction[..., 0]) * (4.0 / 64) ** 2 == pytest.approx(force)
+    slips = (friction.at_force(force).stick_radius + 0.1 < r) & (r < 0.9)
+    assert np.count_nonzero(slips) > 300
+    assert np.allclose(np.hypot(traction[slips][:, 0], traction[slips][:, 1]), 0.3 * traction[slips][:, 2], rtol=1e-3)
