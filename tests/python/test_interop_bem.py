@@ -245,6 +245,18 @@ def test_parts_of_a_grid_are_the_parts_of_the_whole(contact_mechanics):
     assert np.array_equal(free._pixels(), whole[:, 11:20])
 
 
+def test_parts_of_a_graded_body_agree(contact_mechanics):
+    """Of many wavenumbers the library makes a table, of few it does not."""
+    body = BODIES["graded_4to1"]
+
+    class Part(contact_mechanics.LayeredSubstrate):
+        fourier_locations, nb_fourier_grid_pts = (0, 20), (65, 4)
+
+    whole, part = (contact_mechanics.LayeredSubstrate(body, (128, 128), 20.0, mean=0.0) for _ in range(2))
+    part.__class__ = Part
+    np.testing.assert_allclose(part._compute_greens_function(), whole.greens_function[:, 20:24], 1e-11)
+
+
 def test_relaxing_bodies(contact_mechanics, tamaas):
     """Relaxed, and immediately, they are elastic; at frequencies between, no energy has a minimum."""
     rubber = mdr.Viscoelastic(1.0, [(2.0, 0.1)], nu=0.5)
@@ -324,6 +336,17 @@ def test_equal_halves_are_the_own_kernels_of_tamaas(tamaas, body):
     engine("tamaas").ModelFactory.registerNonPeriodic(own, "own")
     found = np.array(tamaas.layered_operator(model, body)["influence"])
     assert largest(found, np.array(own.operators["own"]["influence"])) < 1e-12
+
+
+def test_the_coupling_of_equal_bodies_cancels(tamaas):
+    """Friction between equal bodies does not change their pressure; the other terms double."""
+    one, two = (model_of(tamaas, "surface_2d", (8, 8), (2.0, 2.0)) for _ in range(2))
+    tamaas.set_layered(one, FILM, mean=0.0)
+    tamaas.set_layered(two, mdr.Pair(FILM, FILM), mean=0.0)
+    one, two = (np.array(model.operators[OWN]["influence"]) for model in (one, two))
+    mixed = [2, 5, 6, 7]
+    assert np.max(np.abs(one[..., mixed])) > 0.1 and not np.any(two[..., mixed])
+    np.testing.assert_allclose(np.delete(two, mixed, axis=-1), 2.0 * np.delete(one, mixed, axis=-1), 1e-14)
 
 
 def test_operators_live_as_long_as_the_model(tamaas):
