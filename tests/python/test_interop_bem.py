@@ -467,3 +467,37 @@ def test_slip_outside_a_small_stick_zone_by_tamaas(tamaas):
     slips = (friction.at_force(force).stick_radius + 0.1 < r) & (r < 0.9)
     assert np.count_nonzero(slips) > 300
     assert np.allclose(np.hypot(traction[slips][:, 0], traction[slips][:, 1]), 0.3 * traction[slips][:, 2], rtol=1e-3)
+
+
+def test_a_load_that_slides_over_a_relaxing_body(contact_mechanics):
+    """One wave of pressure: the displacement lags by the phase of the compliance; forces and displacements are inverse."""
+    body, points, size, velocity = mdr.Homogeneous(mdr.Viscoelastic(1.0, [(2.0, 0.1)], nu=0.5)), (32, 8), (2.0, 0.5), 3.0
+    substrate = contact_mechanics.LayeredSubstrate(body, points, size, mean=0.2, velocity=velocity)
+    k = 2.0 * np.pi * 3 / size[0]
+    x = np.arange(points[0])[:, None] * size[0] / points[0] * np.ones(points)
+    C = body.compliance(k, omega=k * velocity)
+    found = substrate.evaluate_disp(-np.cos(k * x) * substrate.area_per_pt)
+    assert C.imag < -0.1 * C.real
+    np.testing.assert_allclose(found, abs(C) * np.cos(k * x - np.angle(C)), atol=1e-14)
+    np.testing.assert_allclose(substrate.evaluate_force(found), -np.cos(k * x) * substrate.area_per_pt, atol=1e-14)
+    back = contact_mechanics.LayeredSubstrate(body, points, size, mean=0.2, velocity=-velocity)
+    np.testing.assert_allclose(back.greens_function, substrate.greens_function.conj(), 1e-14)
+    line = contact_mechanics.LayeredSubstrate(body, points[0], size[0], mean=0.2, velocity=velocity)
+    np.testing.assert_allclose(line.greens_function, substrate.greens_function[:, 0], 1e-14)
+    for speed, omega in ((0.0, 0.0), (1e9, 1e300)):
+        still = contact_mechanics.LayeredSubstrate(body, points, size, mean=0.2, velocity=speed).greens_function
+        expected = contact_mechanics.LayeredSubstrate(body, points, size, mean=0.2, omega=omega).greens_function
+        np.testing.assert_allclose(still[1:], expected[1:], 1e-7)
+    topography = engine("SurfaceTopography").Topography(heights("paraboloid", 1.0, 16, 2.0), (2.0, 2.0), periodic=True)
+    moving = contact_mechanics.LayeredSubstrate(body, (16, 16), 2.0, mean=0.2, velocity=velocity)
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="has no energy that a solver could minimize"):
+        topography.make_contact_system(substrate=moving).minimize_proxy(
+            offset=0.1, initial_forces=moving.first_guess(topography, 0.1)
+        )
+    for given, words in (
+        ({"velocity": 1.0, "omega": 0.0}, "Omit omega"),
+        ({"velocity": math.nan}, "it must be finite"),
+        ({"velocity": 1.0, "body": HALF_SPACE}, "does not relax. Omit velocity"),
+    ):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
+            contact_mechanics.LayeredSubstrate(**{"body": body, "nb_grid_pts": 8, "physical_sizes": 1.0, "mean": 0.2} | given)

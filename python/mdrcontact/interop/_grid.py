@@ -54,15 +54,26 @@ class Response:
     body: Medium
     omega: float | None = None
     drainage: str | None = None
+    velocity: float | None = None
 
     def __post_init__(self) -> None:
         if not isinstance(self.body, Medium):
             raise ArgumentTypeError(f"body = {self.body!r}: it must be a medium. Use Homogeneous, Coated, Layered, Graded or Pair")
         relaxes = self.body._relaxes() or is_poroelastic(self.body)
-        if relaxes and self.omega is None:
+        if self.velocity is not None:
+            self._check_velocity(relaxes)
+        elif relaxes and self.omega is None:
             raise InvalidArgumentError("omega = None: this body relaxes. Set omega=0 for the relaxed body")
         if not relaxes and self.omega is not None:
             raise InvalidArgumentError(f"omega = {self.omega!r}: this body does not relax. Omit omega")
+
+    def _check_velocity(self, relaxes: bool) -> None:
+        if not relaxes:
+            raise InvalidArgumentError(f"velocity = {self.velocity!r}: this body does not relax. Omit velocity")
+        if self.omega is not None:
+            raise InvalidArgumentError(f"omega = {self.omega!r}: the velocity gives each wave its frequency. Omit omega")
+        if not math.isfinite(number("velocity", self.velocity)):
+            raise InvalidArgumentError(f"velocity = {self.velocity!r}: it must be finite. Set the speed of the load along x")
 
     def compliance(self, k: Any, load: str = "normal") -> Array:
         """C at wavenumbers, which must be real to machine precision."""
@@ -123,6 +134,15 @@ class Response:
             return found
 
         return on_grid(axes, values)
+
+    def moving_waves(self, axes: Sequence[Array], mean: float) -> NDArray[np.complex128]:
+        """C at waves that move along the first axis; the frequency at a point of the body is -k_x times the velocity."""
+        along, *across = np.meshgrid(*axes, indexing="ij")
+        k = np.hypot(along, across[0]) if across else np.abs(along)
+        found = np.full(k.shape, mean, dtype=complex)
+        omega = -float(self.velocity or 0.0) * along
+        found[k > 0.0] = self.body.compliance(k[k > 0.0], "normal", omega[k > 0.0], self.drainage)
+        return found
 
     def pixels(self, axes: Sequence[Array], size: Sequence[float]) -> Array:
         """Displacement by unit pressure on one pixel, at the distances along both axes from its centre."""

@@ -103,6 +103,9 @@ class LayeredSubstrate(_FirstGuess, _Periodic):  # type: ignore[misc]
         Of a relaxing body: 0 for the relaxed one [1/time].
     drainage : {"surface", "sealed"}, optional
         Of a poroelastic body.
+    velocity : float, optional
+        Speed along x at which the load moves steadily over a relaxing body [length/time]. The substrate then gives displacements
+        by forces and forces by displacements, in the frame of the load. Solvers by minimization raise: there is no energy.
     communicator : communicator of MPI, optional
         Each process computes its own part of the waves.
     fftengine : muGrid.FFTEngine, optional
@@ -133,18 +136,76 @@ class LayeredSubstrate(_FirstGuess, _Periodic):  # type: ignore[misc]
         mean: str | float = "layers",
         omega: float | None = None,
         drainage: str | None = None,
+        velocity: float | None = None,
         communicator: Any = None,
         fftengine: Any = None,
     ) -> None:
         points, sizes = grid_of(nb_grid_pts, physical_sizes)
-        self._response = Response(body, omega, drainage)
+        self._response = Response(body, omega, drainage, velocity)
         self._mean = self._response.mean(mean, sizes)
         modulus = self._response.modulus(points, sizes)
         super().__init__(points, modulus, sizes, communicator=communicator, fftengine=fftengine)
 
-    def _compute_greens_function(self) -> Array:
+    def _compute_greens_function(self) -> Any:
         rows = zip(self.nb_grid_pts, self.fourier_locations, self.nb_fourier_grid_pts, self.physical_sizes, strict=True)
-        return self._response.waves([2.0 * np.pi / size * folded(n, first, m) for n, first, m, size in rows], self._mean)
+        axes = [2.0 * np.pi / size * folded(n, first, m) for n, first, m, size in rows]
+        if self._response.velocity is None:
+            return self._response.waves(axes, self._mean)
+        moving = self._response.moving_waves(axes, self._mean)
+        # the shortest wave of an even number of points has both directions
+        both = axes[0] == np.pi * self.nb_grid_pts[0] / self.physical_sizes[0]
+        moving[both] = moving[both].real
+        return moving
+
+    def evaluate_elastic_energy(self, forces: Array, disp: Array) -> float:
+        """Return the elastic energy; raise for a moving load.
+
+        Parameters
+        ----------
+        forces, disp : ndarray
+            Forces and displacements of the pixels.
+
+        Returns
+        -------
+        float
+            The energy [modulus length^3].
+        """
+        self._check_energy()
+        return float(super().evaluate_elastic_energy(forces, disp))
+
+    def evaluate_elastic_energy_k_space(self, kforces: Any, kdisp: Any) -> float:
+        """Return the elastic energy by waves; raise for a moving load.
+
+        Parameters
+        ----------
+        kforces, kdisp : ndarray
+            Transforms of forces and displacements.
+
+        Returns
+        -------
+        float
+            The energy [modulus length^3].
+        """
+        self._check_energy()
+        return float(super().evaluate_elastic_energy_k_space(kforces, kdisp))
+
+    def check(self, force: Any = None) -> None:
+        """Raise if a solution is the first guess, or was found for a moving load.
+
+        Parameters
+        ----------
+        force : ndarray, optional
+            Forces on the pixels; those of the last solution if omitted.
+        """
+        self._check_energy()
+        super().check(force)
+
+    def _check_energy(self) -> None:
+        if self._response.velocity is not None:
+            raise InvalidArgumentError(
+                f"velocity = {self._response.velocity!r}: a relaxing body under a moving load has no energy that a solver could "
+                "minimize. Call evaluate_disp or evaluate_force"
+            )
 
 
 class FreeLayeredSubstrate(_FirstGuess, _Free):  # type: ignore[misc]
