@@ -353,6 +353,27 @@ def rate(quick: bool) -> Any:
     return figure
 
 
+def pyramids(quick: bool) -> Any:
+    """Force and modulus of a film under pyramids, over those of the equivalent cone, against a/h."""
+    ratio = np.geomspace(0.1, 10.0, 9 if quick else 49)
+    figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained")
+    for contrast, colour in zip((0.1, 1.0, 3.0, 10.0, 100.0), (BLUE, GREY, GREEN, RED, "#CC79A7"), strict=True):
+        body = mdr.Coated(mdr.Elastic(contrast, 0.3), 1.0, mdr.Elastic(1.0, 0.3))
+        for tip, style in ((mdr.Berkovich(), "-"), (mdr.Vickers(), "--")):
+            found = mdr.instruments.pyramid_correction(tip, body, ratio)
+            label = f"$E_0^*/E_1^*$ = {contrast:g}" if style == "-" else None
+            axes[0].semilogx(ratio, found.force, style, color=colour, label=label)
+            axes[1].loglog(ratio, 1.0 / np.asarray(found.film_modulus), style, color=colour)
+    axes[0].set(xlabel="$a/h$", ylabel="$F/F_\\mathrm{cone}$")
+    axes[1].set(xlabel="$a/h$", ylabel="$E_0$ fitted as a cone / $E_0$", ylim=(0.8, 5.0))
+    axes[1].set_yticks([1.0, 2.0, 5.0], ["1", "2", "5"])
+    axes[0].legend(frameon=False, fontsize=8)
+    _letter(figure)
+    for axis in axes:
+        axis.spines[["top", "right"]].set_visible(False)
+    return figure
+
+
 def conduction(quick: bool) -> Any:
     """Temperatures in a section under a ball that frets on a hard carbon coating, and conductance against two rules."""
     figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.4), layout="constrained")
@@ -522,6 +543,7 @@ PICTURES = (
     gels,
     wear,
     rate,
+    pyramids,
     conduction,
     rough,
     plastic,

@@ -7,6 +7,7 @@ are taken from the results of benchmarks/run.sh in tests/data/benchmarks.md.
 
 from __future__ import annotations
 
+import csv
 import re
 import sys
 from collections.abc import Callable
@@ -24,6 +25,9 @@ sys.path.insert(0, str(DOCS))
 import command_line  # noqa: E402
 
 RESULTS = DOCS.parent / "tests" / "data" / "benchmarks.md"
+SECTIONS = DOCS.parent / "tests" / "data" / "pyramids.csv"
+CONTRASTS, FILM_RADII = (0.01, 0.1, 1.0, 10.0, 100.0), (0.3, 1.0, 3.0)
+"""E0*/E1* and a/h of the tables of pyramids"""
 RADII = np.geomspace(0.03, 30.0, 61)
 """a/h"""
 FEW_RADII = np.array([0.1, 0.5, 1.0, 3.0, 10.0])
@@ -116,8 +120,41 @@ def measured(heading: str, table: int = 0, rows: slice | tuple[int, ...] = slice
     return "\n".join([head, line, *(body[rows] if isinstance(rows, slice) else (body[i] for i in rows))])
 
 
+def _film(contrast: float) -> mdr.Coated:
+    """A film by its contact modulus over that of its base."""
+    return mdr.Coated(mdr.Elastic(contrast, 0.3), 1.0, mdr.Elastic(1.0, 0.3))
+
+
+def pyramid_forces() -> str:
+    """Forces of pyramids, ellipsoids and punches over those of axisymmetric indenters of equal sections."""
+    lines = ["| indenter | " + " | ".join(f"{contrast:g}" for contrast in CONTRASTS) + " |", "|---|" + "---|" * len(CONTRASTS)]
+    with SECTIONS.open(encoding="utf-8") as file:
+        kept = {(row["shape"], float(row["contrast"]), float(row["a_over_h"])): float(row["force"]) for row in csv.DictReader(file)}
+    rows = {
+        type(tip).__name__: [mdr.instruments.pyramid_correction(tip, _film(contrast), FILM_RADII).force for contrast in CONTRASTS]
+        for tip in (mdr.Berkovich(), mdr.Vickers())
+    }
+    for name in dict.fromkeys(name for name, _, _ in kept):
+        rows[name] = [np.array([kept[name, contrast, ratio] for ratio in FILM_RADII]) for contrast in CONTRASTS]
+    for name, columns in rows.items():
+        cells = [", ".join(f"{100.0 * (force - 1.0):.1f}" for force in forces) for forces in columns]
+        lines.append(f"| {name} | " + " | ".join(cells).replace("-0.0", "0.0") + " |")
+    return "\n".join(lines)
+
+
+def pyramid_moduli() -> str:
+    """Errors of the modulus of a film that is fitted as under the equivalent cone."""
+    lines = ["| tip | " + " | ".join(f"{contrast:g}" for contrast in CONTRASTS) + " |", "|---|" + "---|" * len(CONTRASTS)]
+    for tip in (mdr.Berkovich(), mdr.Vickers()):
+        found = [mdr.instruments.pyramid_correction(tip, _film(contrast), FILM_RADII).film_modulus for contrast in CONTRASTS]
+        cells = [", ".join(f"{100.0 * (1.0 / one - 1.0):+.0f}" for one in moduli) for moduli in found]
+        lines.append(f"| {type(tip).__name__} | " + " | ".join(cells).replace("-0", "0").replace("+0", "0") + " |")
+    return "\n".join(lines)
+
+
 TABLES: dict[str, dict[str, Callable[[], str]]] = {
     "model-errors.md": {"modulus_error": modulus_error, "fitted_alpha": fitted_alpha, "both_errors": both_errors, "ranges": ranges},
+    "pyramids.md": {"pyramid_forces": pyramid_forces, "pyramid_moduli": pyramid_moduli},
     "problem-files.md": {"readers": command_line.readers, "keys": command_line.tables_of_keys},
     "cli.md": {"commands": command_line.commands},
     "benchmarks.md": {

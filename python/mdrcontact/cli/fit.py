@@ -27,6 +27,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--ranges", type=Path, metavar="FILE.png", help=words)
     parser.add_argument("--keep-all", action="store_true", help="include curves with warnings in the mean of a folder or map")
     parser.add_argument("--compare", action="store_true", help="also fit with every model of the medium, and rank them")
+    words = "take forces on a film as those of the pyramid instead of its equivalent cone, as the key of [fit] does"
+    parser.add_argument("--pyramid-correction", action="store_true", help=words)
     parser.add_argument(
         "--interval",
         choices=("normal", "profile", "monte-carlo"),
@@ -39,6 +41,10 @@ def run(arguments: argparse.Namespace) -> None:
     """Fit, print and write the results."""
     files.check(arguments)
     problem = load_fit_file(arguments.problem)
+    if arguments.pyramid_correction:
+        if problem.drainage is not None:
+            raise ProblemError("--pyramid-correction: fits of gels do not support it. Omit it.")
+        problem = problem._replace(options={**problem.options, "pyramid_correction": True})
     print(f"{problem.title}\n")
     is_folder = arguments.data.is_dir()
     with on_terminal() as progress:

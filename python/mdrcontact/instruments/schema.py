@@ -122,6 +122,12 @@ OPTIONS = Table(
             choices=tuple(WEIGHT_RULES),
             when=_WEIGHTED,
         ),
+        Field(
+            "pyramid_correction",
+            "whether forces on a film are those of the pyramid instead of its equivalent cone; of force-depth",
+            default=_DEFAULTS["pyramid_correction"],
+            is_boolean=True,
+        ),
         Field("joint_prior", "joint prior of several parameters", optional=True, table=CALIBRATION, many=True),
         Field("drainage", "where the fluid of a gel may leave; required of a gel", optional=True, choices=tuple(DRAINAGES)),
     ),

@@ -15,6 +15,7 @@ from .misfit import Misfit
 from .moves import Move, Moves, find_moves
 from .oliver_pharr import OliverPharr, oliver_pharr
 from .parameters import Free, Instrument, JointPrior
+from .pyramids import PyramidCorrection, pyramid_correction
 from .rate_curves import RateCurve, RateFit, fit_rate
 from .rating import Rating, rate
 from .result import FitResult
@@ -55,6 +56,8 @@ __all__ = [
     "as_prior",
     "modulus_at_depths",
     "DepthProfile",
+    "pyramid_correction",
+    "PyramidCorrection",
     "composite_hardness",
     "CompositeHardness",
     "HardnessForm",

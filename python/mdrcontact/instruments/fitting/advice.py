@@ -12,10 +12,13 @@ from ... import profile as profiles
 from ..._units import LENGTH, MODULUS, shown
 from ...errors import MDRError
 from ...loop import BRANCHES
+from ...material import Elastic
 from .contradictions import contradictions
 from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
 from .indent import LOST
 from .misfit import SMALL, percent
+from .pyramid_fit import corrected
+from .pyramids import PYRAMIDS
 from .result import FitResult
 from .yielding import warning_of
 
@@ -29,6 +32,8 @@ _STRAYS, _STRAY_SHARE = 3, 0.01
 """Readings about a jump that noise may put on the wrong side of it."""
 _PLASTIC = 0.7
 """Part of the depth that stays, from which on surfaces may pile up."""
+_PYRAMID = 0.1
+"""Relative error of the modulus of a film that is fitted as under the cone of a pyramid, from which on fits warn."""
 _SMALL_CONTACT, _LARGE_CONTACT = 0.1, 3.0
 
 
@@ -46,6 +51,7 @@ def advice(result: FitResult) -> list[str]:
         *_identifiability(result, radius),
         *_pattern(result),
         *_tip(result, radius),
+        *_pyramid(result),
         *_pile_up(result),
         *_forced(result),
         *_yields(result),
@@ -222,6 +228,40 @@ def _inclination(tip: object) -> float | None:
         return math.atan(math.sqrt(math.pi / area)) if is_cone else None
     is_sharp = isinstance(tip, (profiles.Berkovich, profiles.Vickers, profiles.CubeCorner, profiles.Cone))
     return float(tip.inclination) if is_sharp else None  # type: ignore[attr-defined]
+
+
+def _pyramid(result: FitResult) -> list[str]:
+    """Error of the modulus of a film, if the force is that of a pyramid and fitted as that of its cone."""
+    films = [name for name in ("coating.E", "layers[0].E") if name in result.names]
+    is_force = isinstance(result.data, ForceDepth) and not result.values["work_of_adhesion"]
+    if result.pyramid_correction is not None or not isinstance(result.indenter, PYRAMIDS) or not films or not is_force:
+        return []
+    tip, name = type(result.indenter).__name__, films[0]
+    try:
+        factor = result.values[name] / corrected(result).values[name]
+    except MDRError:
+        return _uncorrected(result.medium, tip)
+    if abs(factor - 1.0) < _PYRAMID:
+        return []
+    size = f"{100.0 * abs(factor - 1.0):.0f} % too {'high' if factor > 1.0 else 'low'}"
+    is_rigid = result.instrument.indenter is None
+    return [
+        f"the tip {tip} is taken as its equivalent cone: {name} is about {size}. "
+        + ("Set pyramid_correction to true, or fit shallower depths" if is_rigid else "Fit shallower depths")
+    ]
+
+
+def _uncorrected(medium: object, tip: str) -> list[str]:
+    """A film stiffer than its base that the table of pyramids does not have."""
+    film, _ = medium._stack()[0]  # type: ignore[attr-defined]
+    base = medium.substrate  # type: ignore[attr-defined]
+    if not (isinstance(film, Elastic) and isinstance(base, Elastic) and film.contact_modulus > base.contact_modulus):
+        return []
+    return [
+        f"the tip {tip} is taken as its equivalent cone, and the film is stiffer than the base: the force of a pyramid is larger, "
+        "and the modulus of the film may be too high by a factor of 2. No correction is tabulated for this body. Fit shallower "
+        "depths"
+    ]
 
 
 def _softer_than_base(result: FitResult) -> list[str]:

@@ -29,6 +29,7 @@ from .indent import Indent, find_indent
 from .misfit import LARGE, Misfit, measure_misfit, percent
 from .picture import figure_of
 from .problem import Problem
+from .pyramids import PyramidCorrection
 from .quantities import digits, dimension_of, measured, plain, probability, unit_of, words_of
 from .report import blocks_of, estimates_of, page
 from .scatter import compare_scatter
@@ -79,7 +80,7 @@ class FitResult:
     smoothly (Durbin and Watson 1950; from 50 points on Bartels 1982); `lag_correlation` of neighbouring residuals, which covariance
     and intervals include (Cheang and Reinsel 2000); `converged`, `iterations`, `evaluations`, `warnings`. With yield stresses:
     `yield_ratio`, largest von Mises stress of the elastic contact over the yield stress, of forces against depth; `reverse_yield`,
-    R_Y of each layer, of stiffnesses.
+    R_Y of each layer, of stiffnesses. With `pyramid_correction`: its ratios at the largest contact radius; None without.
 
     Parameters
     ----------
@@ -149,6 +150,7 @@ class FitResult:
         self.warnings: list[str] = []
         self.yield_ratio = 0.0
         self.reverse_yield: tuple[LayerYield, ...] = ()
+        self.pyramid_correction: PyramidCorrection | None = None
         self._values = np.asarray(values)
 
     @functools.cached_property
@@ -391,6 +393,9 @@ class FitResult:
         if self.reverse_yield:
             ratios = ", ".join(f"layer {one.layer} {ratio_words(one)}" for one in self.reverse_yield)
             lines.append(f"reverse yield ratio R_Y: {ratios}; unloading is elastic up to 2")
+        if self.pyramid_correction is not None:
+            ratio, error = (100.0 * one for one in self.pyramid_correction[:2])
+            lines.append(f"pyramid_correction: largest force {ratio - 100.0:+.1f} ± {error:.1f} % against the equivalent cone")
         if self.prior_chi_square > 0.0:
             lines.append(f"chi-square of the priors {plain(self.prior_chi_square)}")
         if len(self.data) > 2:
@@ -765,6 +770,7 @@ class FitResult:
             "indent": self.indent._asdict() if self.indent else None,
             "yield_ratio": self.yield_ratio,
             "reverse_yield": [one._asdict() for one in self.reverse_yield],
+            "pyramid_correction": self.pyramid_correction._asdict() if self.pyramid_correction else None,
             **{name: getattr(self, name) for name in _NUMBERS},
             "indenter": repr(self.indenter),
             "medium": repr(self.medium),

@@ -18,6 +18,7 @@ from .data import Data, ForceDepth
 from .misfit import SMALL
 from .parameters import Free, Instrument, JointPrior
 from .problem import Problem, make_problem
+from .pyramid_fit import check_pyramid, fit_pyramid
 from .result import FitResult
 from .weighted import RULES, fit_weighted
 from .yielding import first_yield, read_yield_stresses, refuse, reverse_yield
@@ -43,6 +44,7 @@ def fit(
     contact_weight: float = 0.0,
     contact_weight_rule: str = "held",
     yield_stresses: Iterable[float | YieldStress | None] = (),
+    pyramid_correction: bool = False,
 ) -> FitResult:
     """Fit parameters of indenter, medium and instrument to measured data.
 
@@ -88,6 +90,10 @@ def fit(
         Yield stress of each layer from the surface down and of the body below, > 0; None for one that does not yield [modulus].
         `plastic.yield_stress_from_hardness` returns that of a hardness. Unloading curves and stiffnesses are then checked for
         unloading that yields again, R_Y > 2; curves of force against depth, for a contact that has yielded.
+    pyramid_correction : bool, optional
+        Of `ForceDepth` and `Berkovich`, `Vickers` or `CubeCorner` on one film: whether the forces are those of the pyramid instead
+        of its equivalent cone, by the table of `pyramid_correction`. Readings outside its contact radii are left out. Data and
+        fitted curve of the result are those of the cone at the same depths.
 
     Returns
     -------
@@ -98,7 +104,8 @@ def fit(
     Raises
     ------
     InvalidArgumentError
-        A name is unknown, a number is outside its range, or the data do not determine anything.
+        A name is unknown, a number is outside its range, the data do not determine anything, or the table of pyramids does not
+        hold for the contact.
     ArgumentTypeError
         An object is of another type.
     DomainError
@@ -120,7 +127,9 @@ def fit(
         raise InvalidArgumentError(f"contact_weight = {contact_weight!r}: it must be at least 0 and finite")
     moves = bool(code("contact_weight_rule", contact_weight_rule, RULES))
     stresses = read_yield_stresses(yield_stresses, data, medium)
-    if distance > 0.0:
+    if pyramid_correction:
+        found = _of_pyramid(data, indenter, medium, free, options, distance)
+    elif distance > 0.0:
         if not isinstance(data, ForceDepth):
             raise InvalidArgumentError("contact_weight: it belongs to forces against depth")
         first = _fitted(make_problem(data, indenter, medium, free, *options))
@@ -131,6 +140,15 @@ def fit(
     else:
         found = _fitted(make_problem(data, indenter, medium, free, *options))
     return _checked(found, stresses) if stresses else found
+
+
+def _of_pyramid(data: Data, indenter: Any, medium: Any, free: Any, options: tuple[Any, ...], distance: float) -> FitResult:
+    problem = make_problem(data, indenter, medium, free, *options)
+    check_pyramid(data, indenter, medium, problem.free, problem.pattern.instrument, distance)
+    first = FitResult(problem, *problem.answer())
+    found = fit_pyramid(first, lambda part: make_problem(part, indenter, medium, free, *options))
+    found.warnings = advice(found)
+    return found
 
 
 def _checked(result: FitResult, stresses: tuple[YieldStress, ...]) -> FitResult:
