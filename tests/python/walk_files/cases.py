@@ -583,6 +583,7 @@ SAMPLES: dict[tuple[str, str], list[Any]] = {
     ("fit", "adhesion_rule"): ["energy"],
     ("fit", "max_iterations"): [31],
     ("fit", "sd_is_absolute"): [False],
+    ("fit", "pyramid_correction"): [True],
     ("fit", "contact_weight_rule"): ["moving"],
     ("fit", "joint_prior"): [[{"names": ["coating.nu"], "values": [0.3], "sds": [0.01]}]],
     ("fit", "drainage"): ["surface"],
