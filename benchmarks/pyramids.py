@@ -4,7 +4,7 @@
 python benchmarks/pyramids.py [--check N] [--seed K] [--shape NAME ...]
 
 Without --check it computes every entry and writes python/mdrcontact/instruments/fitting/pyramids.csv (sections of pyramids)
-and tests/data/pyramids.csv (others, for Poisson's ratios of 0.3): hours. --check computes N entries of both anew, and
+and tests/data/pyramids.csv (others, for Poisson's ratios of 0.3): about two hours. --check computes N entries of both anew, and
 compares. The engine is ContactMechanics, pip install "mdrcontact[bem]".
 
 An entry is the force at the depth of the axisymmetric indenter, whose contact radius is a. Three grids, each twice as fine as
@@ -25,10 +25,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from ContactMechanics.Factory import make_system
-from mdrcontact.interop.contactmechanics import FreeLayeredSubstrate
 from SurfaceTopography import Topography
 
 import mdrcontact as mdr
+from mdrcontact.interop.contactmechanics import FreeLayeredSubstrate
 
 ROOT = Path(__file__).resolve().parent.parent
 PYRAMIDS = ROOT / "python" / "mdrcontact" / "instruments" / "fitting" / "pyramids.csv"
@@ -119,7 +119,7 @@ def pressed(body: mdr.Layered, heights: Array, pixel: tuple[float, float], depth
     guess = substrate.first_guess(topography, depth)
     found = system.minimize_proxy(offset=depth, initial_forces=guess, pentol=TOLERANCE * depth, maxiter=ITERATIONS)
     assert found.success, found.message
-    return float(system.compute_normal_force()), np.asarray(substrate.force)[: heights.shape[0], : heights.shape[1]] < 0.0
+    return float(system.compute_normal_force()), np.asarray(found.jac)[: heights.shape[0], : heights.shape[1]] > 0.0
 
 
 class Box(NamedTuple):

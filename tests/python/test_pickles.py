@@ -81,6 +81,9 @@ def fits():
     noise = 1e-6 * np.random.default_rng(0).standard_normal(120)
     indent = mdi.Unloading(1e-7 * np.r_[way, 1.0 - 0.4 * way], 1e-3 * np.r_[way**2, back**1.5] + noise)
     yielded = mdi.fit(indent, mdr.Berkovich(), mdr.Homogeneous(OXIDE), ["E"], yield_stresses=[4.8e9])
+    states = mdr.Contact(mdr.Vickers(), FILM).at_radius(FILM.thickness * np.array([0.5, 1.0, 1.5]))
+    pyramid = mdi.ForceDepth(states.depth, 1.03 * states.force, relative_sd=0.01)
+    of_pyramid = mdi.fit(pyramid, mdr.Vickers(), FILM, ["coating.E"], pyramid_correction=True)
     profile = mdi.modulus_at_depths(csm, BALL, FILM, ["coating.E"])
     composite = mdi.composite_hardness(np.arange(1.0, 8.0), 1.0 + 1.0 / np.arange(1.0, 8.0))
     time = np.linspace(0.0, 1.0, 9)
@@ -102,6 +105,8 @@ def fits():
         unloading.unloadings[0],
         yielded,
         *yielded.reverse_yield,
+        of_pyramid,
+        of_pyramid.pyramid_correction,
         mdi.ModulusRadius([1e-7, 2e-7], [1e11, 1.1e11]),
         mdi.StiffnessRadius([1e-7, 2e-7], [1e4, 2e4], sd=1.0),
         mdi.ForceTime(time, 1e-8 * time, 1e-9 * time),

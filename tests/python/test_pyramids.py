@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import csv
+import json
 import math
 import re
 
@@ -239,3 +240,119 @@ def test_a_fit_of_a_curve_of_the_engine_finds_the_modulus(curve):
     assert bool(stated) == (error > 0.1) or abs(error - 0.1) < 0.01
     if stated:
         assert stated[0] == pytest.approx(100.0 * error, rel=0.2)
+
+
+def test_readings_outside_the_table_are_left_out():
+    body = film(5.0, thickness=1e-6)
+    body = body.with_parameters({"coating.E": 5e10, "substrate.E": 1e10})
+    ratio = np.array([0.02, 0.05, 0.2, 0.4, 0.6, 1.0, 1.5, 12.0])
+    states = mdr.Contact(mdr.Vickers(), body).at_radius(1e-6 * ratio)
+    factor = mdi.pyramid_correction(mdr.Vickers(), body, ratio[2:7]).force
+    force = states.force.copy()
+    force[2:7] *= factor
+    force[[0, 1, 7]] *= 1.2
+    depth = np.concatenate([[-2e-8, -1e-8], states.depth])
+    data = mdi.ForceDepth(depth, np.concatenate([[0.0, 0.0], force]), sd=np.append([1e-3 * force[2]] * 2, 1e-2 * force))
+    found = mdi.fit(data, mdr.Vickers(), body, ["coating.E"], pyramid_correction=True)
+    assert len(found.data) == 7 and found.estimates["coating.E"] == pytest.approx(5e10, rel=1e-6)
+    assert any("3 of 10 readings are left out" in words for words in found.warnings)
+    assert found.pyramid_correction.force == pytest.approx(factor[-1], rel=1e-4)
+    assert len(data) == 10 and not data.warnings
+
+
+def test_offsets_and_the_frame_are_those_of_the_instrument():
+    body, data = measured(CURVES[0], relative_sd=None, sd=1e-6)
+    tool = mdi.Instrument(depth_offset=2e-9, force_offset=3e-4, frame_compliance=1e-7)
+    true = body.coating.E
+    moved = mdi.ForceDepth(data.x + 2e-9 + 1e-7 * data.y, data.y + 3e-4, sd=1e-6)
+    plain = mdi.fit(data, TIPS[CURVES[0][0]], body, ["coating.E"], pyramid_correction=True)
+    found = mdi.fit(moved, TIPS[CURVES[0][0]], body, ["coating.E", "force_offset"], instrument=tool, pyramid_correction=True)
+    assert found.estimates["coating.E"] == pytest.approx(plain.estimates["coating.E"], rel=2e-3)
+    assert found.estimates["force_offset"] == pytest.approx(3e-4, rel=2e-2)
+    assert found.estimates["coating.E"] == pytest.approx(true, rel=0.03)
+
+
+def test_standard_errors_are_those_of_simulated_readings():
+    body, data = measured(next(curve for curve in CURVES if curve[:2] == ("triangle", 20.0)))
+    tip, random = mdr.Berkovich(), np.random.default_rng(3)
+    found = mdi.fit(data, tip, body, ["coating.E"], pyramid_correction=True)
+    values = [
+        mdi.fit(data.with_y(data.y * (1.0 + 0.01 * random.standard_normal(len(data)))), tip, body, ["coating.E"],
+                pyramid_correction=True).estimates["coating.E"]
+        for _ in range(60)
+    ]  # fmt: skip
+    # without noise the residuals of the first fit are a pattern, which widens its error
+    expected = found.standard_errors["coating.E"] / found.widening["coating.E"]
+    assert np.std(values, ddof=1) == pytest.approx(expected, rel=0.25)
+
+
+NOT_FITTED = {
+    "adhesion": ({"instrument": mdi.Instrument(work_of_adhesion=1e-3)}, "without adhesion"),
+    "free adhesion": ({"free": {"coating.E": None, "work_of_adhesion": 1e-3}}, "without adhesion"),
+    "soft indenter": ({"instrument": mdi.Instrument(indenter=mdr.Elastic(1e12, 0.1))}, "rigid indenter"),
+    "weights": ({"contact_weight": 1e-9}, "contact_weight"),
+    "tip": ({"indenter": mdr.Cone(0.3)}, "no pyramid"),
+    "body": ({"medium": mdr.Homogeneous(mdr.Elastic(1e10, 0.3)), "free": ["E"]}, "one bonded"),
+    "stress": ({"data": mdi.StiffnessRadius([1e-7, 2e-7], [1e3, 2e3])}, "forces against depth"),
+}
+
+
+@pytest.mark.parametrize("name", NOT_FITTED)
+def test_a_fit_outside_the_table_is_an_error(name):
+    body, data = measured(CURVES[0])
+    more, words = NOT_FITTED[name]
+    given = {
+        "data": data,
+        "indenter": TIPS[CURVES[0][0]],
+        "medium": body,
+        "free": ["coating.E"],
+        "pyramid_correction": True,
+        **more,
+    }
+    with pytest.raises(InvalidArgumentError, match=words):
+        mdi.fit(given.pop("data"), given.pop("indenter"), given.pop("medium"), given.pop("free"), **given)
+
+
+@pytest.mark.filterwarnings("ignore::mdrcontact.errors.SeparationInsideWarning")
+def test_a_film_stiffer_than_the_table_is_an_error_and_a_warning():
+    body = mdr.Coated(mdr.Elastic(3e12, 0.3), 1e-6, mdr.Elastic(1e10, 0.3))
+    states = mdr.Contact(mdr.Vickers(), body).at_radius(1e-6 * np.linspace(0.5, 2.0, 8))
+    data = mdi.ForceDepth(states.depth, states.force, relative_sd=0.01)
+    with pytest.raises(InvalidArgumentError, match=r"contrast = .*Fit the force as that of the cone"):
+        mdi.fit(data, mdr.Vickers(), body, ["coating.E"], pyramid_correction=True)
+    found = mdi.fit(data, mdr.Vickers(), body, ["coating.E"])
+    assert any("No correction is tabulated" in words for words in found.warnings)
+
+
+TEXT = """
+[indenter]
+shape = "berkovich"
+[medium]
+type = "coated"
+coating = { E = "70 GPa", nu = 0.25, thickness = "1 um" }
+substrate = { E = "10 GPa", nu = 0.3 }
+[data]
+kind = "force-depth"
+relative_sd = 0.01
+[fit]
+free = ["coating.E"]
+"""
+
+
+def test_the_key_and_the_option_do_what_the_argument_does(tmp_path, capsys):
+    from mdrcontact.cli import main
+
+    body, data = measured(next(curve for curve in CURVES if curve[:2] == ("triangle", 5.0)))
+    expected = mdi.fit(data, mdr.Berkovich(), body, ["coating.E"], pyramid_correction=True)
+    (tmp_path / "plain.toml").write_text(TEXT, encoding="utf-8")
+    (tmp_path / "key.toml").write_text(TEXT + "pyramid_correction = true\n", encoding="utf-8")
+    rows = "\n".join(f"{1e9 * x:.9g},{1e3 * y:.9g}" for x, y in zip(data.x, data.y, strict=True))
+    (tmp_path / "data.csv").write_text(f"depth [nm],load [mN]\n{rows}\n", encoding="utf-8")
+    for problem, more in (("key", []), ("plain", ["--pyramid-correction"])):
+        path = tmp_path / f"{problem}.json"
+        main(["fit", str(tmp_path / "data.csv"), "--problem", str(tmp_path / f"{problem}.toml"), "--json", str(path), *more])
+        saved = json.loads(path.read_text(encoding="utf-8"))
+        assert saved["parameters"]["coating.E"]["value"] == pytest.approx(expected.estimates["coating.E"], rel=1e-5)
+        assert saved["pyramid_correction"]["force"] == pytest.approx(expected.pyramid_correction.force, rel=1e-6)
+        assert "pyramid_correction: largest force +" in capsys.readouterr().out
+    assert mdi.load_fit_file(tmp_path / "key.toml").options == {"pyramid_correction": True}

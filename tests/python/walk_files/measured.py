@@ -120,6 +120,13 @@ FITS = [
     ),
     _case("depths as they are", {"kind": "force-depth", "relative_sd": 0.013}, table("depth [nm]", "load [mN]", rows=_UP)),
     _case(
+        "pyramid",
+        {"kind": "force-depth"},
+        table("depth [nm]", "load [mN]", rows=slice(40, 60)),
+        {"indenter": {"shape": "berkovich", "radius": None}, "fit": {"pyramid_correction": True}},
+        {"medium": {"coating": {"thickness": "0.41 um"}}},
+    ),
+    _case(
         "pop-in",
         {"kind": "force-depth", "depth": "popped [nm]", "before_pop_in": True},
         table("popped [nm]", "load [mN]", rows=_UP),

@@ -46,6 +46,13 @@ def _force_depth() -> dict[str, Any]:
             "missing": "raise", "branch": ["loading"] * 8 + ["unloading"] * 7}  # fmt: skip
 
 
+def _pyramid() -> dict[str, Any]:
+    state = mdr.Contact(mdr.Berkovich(), BODY).at_radius(np.linspace(0.7e-6, 5.3e-6, 9))
+    ratio = mdi.pyramid_correction(mdr.Berkovich(), BODY, state.radius / BODY.thickness).force
+    return {"depth": state.depth + 1.3e-9, "force": ratio * state.force * BIT[:9] + 1.1e-6, "relative_sd": 0.013, "sd": None,
+            "missing": "raise", "branch": ["loading"] * 9}  # fmt: skip
+
+
 def _stiffness_depth() -> dict[str, Any]:
     state = mdr.Contact(TIP, BODY).at_depth(np.linspace(2.1e-8, 1.6e-7, 12))
     return {"depth": state.depth, "force": state.force, "stiffness": state.stiffness * BIT[:12], "sd": None, "relative_sd": 0.013,
@@ -89,7 +96,9 @@ OF_OSCILLATION = mdi.Instrument(frame_compliance=2e-6, stiffness_factor=1.03, ar
 PRIOR = mdi.JointPrior(("coating.E", "substrate.E"), (8.7e9, 3.3e9), ((9e16, 1.1e16), (1.1e16, 4e16)))
 FIT = {"indenter": TIP, "medium": BODY, "free": FREE, "instrument": INSTRUMENT, "loss": "huber", "loss_scale": 0.7,
        "adhesion_rule": "automatic", "sd_is_absolute": False, "max_iterations": 100, "check_units": True, "known": (PRIOR,),
-       "contact_weight": 0.0, "contact_weight_rule": "held", "yield_stresses": ()}  # fmt: skip
+       "contact_weight": 0.0, "contact_weight_rule": "held", "yield_stresses": (), "pyramid_correction": False}  # fmt: skip
+PYRAMID = {**FIT, "indenter": mdr.Berkovich(), "instrument": mdi.Instrument(depth_offset=1.3e-9, force_offset=1.1e-6), "known": (),
+           "free": {"coating.E": FREE["coating.E"]}, "pyramid_correction": True}  # fmt: skip
 OF_TIME = {**FIT, "medium": mdr.Homogeneous(SOFT), "free": ["relaxed_shear_modulus"], "instrument": OF_PATH, "known": (),
            "loss": "cauchy"}  # fmt: skip
 WEIGHED = {**FIT, "instrument": STICKY, "loss": "linear", "contact_weight": 3.1e-8, "contact_weight_rule": "moving",
@@ -102,6 +111,7 @@ CASES = [
         {**FIT, "instrument": STICKY, "adhesion_rule": "energy", "yield_stresses": (0.13e9, None)},
     ),
     Case("weighed", mdi.ForceDepth, _force_depth(), WEIGHED),
+    Case("pyramid", mdi.ForceDepth, _pyramid(), PYRAMID),
     Case("stiffness-depth", mdi.StiffnessDepth, _stiffness_depth(), {**FIT, "yield_stresses": (0.53e9, 0.61e9)}),
     Case("modulus-radius", mdi.ModulusRadius, _in_radius("modulus"), {**FIT, "instrument": mdi.Instrument(area_factor=0.97)}),
     Case("stiffness-radius", mdi.StiffnessRadius, _in_radius("stiffness"), {**FIT, "instrument": OF_RADIUS}),
@@ -135,6 +145,8 @@ EXCEPTIONS = {
     ("weighed", "fit.adhesion_rule", "adhesion_rule = 'energy'"): "what automatic takes for the exact model",
     ("force-depth", "fit.adhesion_rule", "adhesion_rule = 'automatic'"): "it takes energy for the exact model",
     ("force-depth", "fit.contact_weight_rule", "contact_weight_rule = 'moving'"): "there are no weights",
+    ("pyramid", "fit.contact_weight_rule", "contact_weight_rule = 'moving'"): "there are no weights",
+    ("pyramid", "data.branch", "branch turned round"): "without adhesion both branches are one curve",
     **{(kind, "fit.contact_weight_rule", "contact_weight_rule = 'moving'"): "there are no weights"
        for kind in ("stiffness-depth", "modulus-radius", "stiffness-radius", "force-time", "depth-time", "dynamic-stiffness")},
     **{(kind, "fit.indenter", "indenter.radius 10 % more"): "data at known contact radii do not depend on the tip"
@@ -147,7 +159,7 @@ def _answer(case: Case) -> dict[str, Any]:
     found = mdi.fit(case.make(**case.data), **case.fit)
     return numbers_of({"estimates": found.estimates, "covariance": found.covariance, "chi": found.chi_square, "noise": found.noise,
                        "likelihood": found.log_likelihood, "prior": found.prior_chi_square, "yield": found.yield_ratio,
-                       "R_Y": [one.ratio for one in found.reverse_yield]})  # fmt: skip
+                       "R_Y": [one.ratio for one in found.reverse_yield], "pyramid": found.pyramid_correction})  # fmt: skip
 
 
 def _others(name: str, value: Any) -> Iterator[tuple[str, Any]]:

@@ -144,7 +144,9 @@ def _with_slope(result: FitResult) -> None:
     )
     sd = result.noise * (1.0 if result.data.sd is None else result.data.sd) * np.ones(len(force))
     scaled = result.covariance / np.outer(sizes, sizes)
-    turn = np.linalg.inv(np.eye(len(places)) + scaled @ (slope / sd[:, None] ** 2).T @ change)
+    # the estimates follow from the readings by the covariance of independent noise
+    wide = np.array([result.widening[name] for name in result.names])
+    turn = np.linalg.inv(np.eye(len(places)) + scaled / np.outer(wide, wide) @ (slope / sd[:, None] ** 2).T @ change)
     result.covariance = turn @ scaled @ turn.T * np.outer(sizes, sizes)
     errors = np.sqrt(np.diag(result.covariance)).tolist()
     result.standard_errors = dict(zip(result.names, errors, strict=True))
