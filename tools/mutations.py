@@ -475,6 +475,7 @@ MUTATIONS = [
     ("extensions/plastic/loading.f90", "if (self%is_coated) state%modulus", "if (.false.) state%modulus", "test_plastic_models.py"),
     ("extensions/plastic/yielding.f90", "miss + fall_of_hardness*inclination**2", "miss + inclination**2", "test_plastic_law.py"),
     ("extensions/plastic/overload.f90", "profile%end_radius > 0.0_wp", "profile%end_radius > huge(1.0_wp)",
+     "test_plastic_models.py"),
     ("python:instruments/fitting/yielding.py", "/ (y * (1.0 + error))", "/ y", "test_fit_yielding.py"),
     ("python:studies/imprint.py", "force_error) > 0.0", "force_error) > 1.0", "test_imprint_study.py"),
     ("python:studies/conduction.py", "conductors.rough(states[i], given.joint)", "conductors.rough(states[-1], given.joint)",

@@ -68,7 +68,7 @@ static void check_plastic(const mdr_medium *m, const plastic *s)
     }
     CHECK_STATUS(mdr_imprint_from_pressure(m, COUNT, in, in, 0.0, &imprint), MDR_ENOMEMORY, "memory");
     CHECK_STATUS(mdr_yielding_new(1.0, 0.3, COUNT, in, more, &metal), MDR_ENOMEMORY, "memory");
-    CHECK_STATUS(mdr_plastic_law_from_points(COUNT, in, force, in, memory, 1.0, NULL, &law), MDR_ENOMEMORY, "memory");
+    CHECK_STATUS(mdr_plastic_law_from_points(COUNT, in, force, in, memory, more, NULL, &law), MDR_ENOMEMORY, "memory");
     CHECK_STATUS(mdr_plastic_law_restitution(s->law, 1.0, COUNT, in, out), MDR_ENOMEMORY, "memory");
     CHECK_STATUS(mdr_plastic_law_loading(s->law, COUNT, in, out, more, NULL, NULL), MDR_ENOMEMORY, "memory");
     CHECK_STATUS(mdr_plastic_law_energies(s->law, COUNT, in, memory, out, more), MDR_ENOMEMORY, "memory");
