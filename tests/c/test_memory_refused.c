@@ -449,7 +449,7 @@ static int hardening(void)
 static int plastic_table(void)
 {
     mdr_plastic_law *made = NULL;
-    return mdr_plastic_law_from_points(POINTS, shallow, hertz, shallow, memory, 1.0, NULL, &made);
+    return mdr_plastic_law_from_points(POINTS, shallow, hertz, shallow, memory, one, NULL, &made);
 }
 static int plastic_steps(void)
 {
