@@ -142,8 +142,8 @@ static void forge_plastic_laws(void)
         options.work_of_adhesion = i == 1 ? 1e-8 : 0.0;
         options.tolerance = 1e-5;
         if (i == 2) {
-            const double left[4] = {0.0, 1.3e-3, 4.5e-3, 7e-3};
-            CHECK_SUCCESS(mdr_plastic_law_from_points(4, d, F, a, left, 0.02, &options, &law));
+            const double left[4] = {0.0, 1.3e-3, 4.5e-3, 7e-3}, modulus[4] = {0.02, 0.02, 0.02, 0.02};
+            CHECK_SUCCESS(mdr_plastic_law_from_points(4, d, F, a, left, modulus, &options, &law));
         } else {
             CHECK_SUCCESS(mdr_plastic_law_new(ball, metal, 1e-2, &options, &law));
         }
