@@ -84,6 +84,18 @@ def fit_of(name: str, **options: Any) -> Numbers:
     return {"estimates": list(found.fit.values.values()), "intervals": [*ends.values()]}
 
 
+@row("threads of OpenBLAS not set: gel, film in a contact area, step of conduction")
+def _threads() -> Numbers:
+    from mdrcontact import Contact, FlatPunch, Homogeneous, conduction, poroelastic
+
+    body = conduction.LayeredConductor([(conduction.Conductor(2.0, None, 1.0), 1.0)], conduction.Conductor(1.0, None, 3.0))
+    film = conduction.Conduction(body, film=0.3).at_radius(np.linspace(0.1, 3.0, 30))
+    gel = Contact(FlatPunch(1.0), Homogeneous(poroelastic.Poroelastic(1.0, 0.3, 1.0)))
+    times = np.geomspace(1e-6, 1e3, 20)
+    steps = conduction.Conduction(body).step(np.geomspace(1e-3, 10.0, 20), 1.0)
+    return {"film": film.conductance, "step": steps, "gel": gel.relaxation(times, drainage="indenter")}
+
+
 @row("fit: Monte Carlo intervals of four parameters")
 def _monte_carlo() -> Numbers:
     return fit_of("gel_in_time", interval="monte-carlo")
@@ -167,6 +179,8 @@ def measure(name: str, packages: str) -> tuple[float, float, Numbers]:
     with tempfile.TemporaryDirectory() as folder:
         path = str(Path(folder) / "result")
         environment = {**os.environ, "PYTHONPATH": packages}
+        if name.startswith("threads"):
+            environment.pop("OPENBLAS_NUM_THREADS", None)
         subprocess.run([sys.executable, "-P", __file__, "--one", name, path], env=environment, check=True)
         cpu, wall, found = pickle.loads(Path(path).read_bytes())
     return cpu, wall, found

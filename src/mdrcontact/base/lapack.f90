@@ -4,7 +4,7 @@ module mdrcontact_lapack
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: dgeev, dgels, dgemm, dgemv, dgesv, dpotrf, dpotrs, dsyev, zgesv
+    public :: dgeev, dgels, dgemm, dgemv, dgesv, dpotrf, dpotrs, dsyev
 
     interface
         !> Cholesky factor of a symmetric positive definite matrix.
@@ -62,14 +62,6 @@ module mdrcontact_lapack
             real(wp), intent(inout) :: a(lda, *), b(ldb, *)
             integer, intent(out) :: ipiv(*), info
         end subroutine dgesv
-
-        !> The same of complex numbers.
-        subroutine zgesv(n, nrhs, a, lda, ipiv, b, ldb, info)
-            import :: wp
-            integer, intent(in) :: n, nrhs, lda, ldb
-            complex(wp), intent(inout) :: a(lda, *), b(ldb, *)
-            integer, intent(out) :: ipiv(*), info
-        end subroutine zgesv
 
         !> Product of matrices, alpha A B + beta C.
         subroutine dgemm(transa, transb, m, n, k, alpha, a, lda, b, ldb, beta, c, ldc)

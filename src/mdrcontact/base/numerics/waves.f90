@@ -9,8 +9,8 @@
 module mdrcontact_numerics_waves
     use mdrcontact_error, only: error_domain, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_lapack, only: dgemm
     use mdrcontact_numerics_even_waves, only: even_waves
+    use mdrcontact_numerics_one_thread, only: add_product
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
@@ -186,7 +186,7 @@ contains
             scaled(n + 1, :) = self%inner*self%weight*aimag(f(:m))
             far(1, :) = far(1, :) - 1.0_wp
         end if
-        call dgemm("N", "T", 2*n, n, m, 1.0_wp, scaled, 2*n, self%b, n, 0.0_wp, product, 2*n)
+        call add_product("N", "T", 2*n, n, m, 1.0_wp, scaled, 2*n, self%b, n, 0.0_wp, product, 2*n)
         do i = 1, size(far, 2)
             far(:, i) = far(:, i)*(self%far_weight(i)*f(m + i))
         end do

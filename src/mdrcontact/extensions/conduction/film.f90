@@ -11,10 +11,10 @@ module mdrcontact_conduction_film
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort, gsl_sf_bessel_j0, gsl_sf_bessel_jn_array
     use mdrcontact_kinds, only: half_pi, pi, wp
-    use mdrcontact_lapack, only: dgemm, zgesv
     use mdrcontact_line_rule, only: largest_rule, new_rule, rule_t
     use mdrcontact_line_series, only: add_projections
     use mdrcontact_numerics_even_waves, only: highest_order
+    use mdrcontact_numerics_one_thread, only: add_product, solve_complex
     use mdrcontact_numerics_waves, only: wave_rule
     implicit none (type, external)
     private
@@ -152,10 +152,10 @@ contains
         complex(wp), intent(out) :: c(:), total, change
         type(error_t), allocatable, intent(inout) :: error
         complex(wp) :: chi
-        complex(wp) :: solution(size(c), 1)
+        complex(wp) :: solution(size(c))
         complex(wp), allocatable :: matrix(:, :), leading(:, :)
         real(wp), allocatable :: scaled(:, :), product(:, :)
-        integer :: pivots(size(c)), i, j, m, n, info
+        integer :: i, j, m, n, info
 
         total = 0.0_wp
         change = 0.0_wp
@@ -168,7 +168,7 @@ contains
             scaled(:n, i) = real(chi, wp)*basis%waves(:, i)
             scaled(n + 1:, i) = aimag(chi)*basis%waves(:, i)
         end do
-        call dgemm("N", "T", 2*n, n, size(basis%z), 1.0_wp, scaled, 2*n, basis%waves, n, 0.0_wp, product, 2*n)
+        call add_product("N", "T", 2*n, n, size(basis%z), 1.0_wp, scaled, 2*n, basis%waves, n, 0.0_wp, product, 2*n)
         do j = 1, n
             do i = 1, n
                 matrix(i, j) = a**3/conduction%scale*(cmplx(product(i, j), product(n + i, j), wp) + of_half_space(i - 1, j - 1))
@@ -179,18 +179,18 @@ contains
         do m = n/2, n, n - n/2
             leading = matrix(:m, :m)
             solution = 0.0_wp
-            solution(1, 1) = 0.5_wp*a**2
-            call zgesv(m, 1, leading, m, pivots, solution, n, info)
+            solution(1) = 0.5_wp*a**2
+            call solve_complex(m, leading, solution, info)
             if (info /= 0) then
                 call raise(error, error_no_convergence, "the contributions of the layers nearly cancel at contact radius "// &
                            to_text(real(a, wp)))
                 return
             end if
-            change = (pi*a**2*solution(1, 1) - total)/63.0_wp
-            total = pi*a**2*solution(1, 1)
+            change = (pi*a**2*solution(1) - total)/63.0_wp
+            total = pi*a**2*solution(1)
         end do
         total = total + change
-        c = solution(:, 1)
+        c = solution
     end subroutine solve
 
     pure subroutine raise_missed(conduction, a, change, where, remedy, error)

@@ -9,7 +9,7 @@ module mdrcontact_conduction_transient
     use mdrcontact_error, only: error_domain, error_no_convergence, error_t, raise, to_text
     use mdrcontact_gsl, only: gsl_sf_bessel_j1
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_lapack, only: zgesv
+    use mdrcontact_numerics_one_thread, only: solve_complex
     use mdrcontact_numerics_waves, only: basis_t, new_basis, wave_rule
     implicit none (type, external)
     private
@@ -65,8 +65,8 @@ contains
         !> coefficients of P_2j(x/a) of q at potential 1
         complex(wp), intent(out), optional :: series(:)
         complex(wp), allocatable :: matrix(:, :)
-        complex(wp) :: c(basis%order, 1)
-        integer :: pivots(basis%order), i, n, info
+        complex(wp) :: c(basis%order)
+        integer :: i, n, info
 
         conductance = 0.0_wp
         if (allocated(error)) return
@@ -77,14 +77,14 @@ contains
             matrix(i, i) = matrix(i, i) + 1.0_wp
         end do
         c = 0.0_wp
-        c(1, 1) = 1.0_wp
-        call zgesv(n, 1, matrix, n, pivots, c, n, info)
+        c(1) = 1.0_wp
+        call solve_complex(n, matrix, c, info)
         if (info /= 0) then
             call raise(error, error_no_convergence, "the transient conductance of a contact area was not found")
             return
         end if
-        conductance = 4.0_wp*conduction%scale*a*c(1, 1)
-        if (present(series)) series = 2.0_wp*conduction%scale*[(sqrt(4.0_wp*i - 3.0_wp)*c(i, 1), i=1, n)]
+        conductance = 4.0_wp*conduction%scale*a*c(1)
+        if (present(series)) series = 2.0_wp*conduction%scale*[(sqrt(4.0_wp*i - 3.0_wp)*c(i), i=1, n)]
     end subroutine spot_at
 
     !> Potential per total flux under a given flux, by waves up to where nothing is left.

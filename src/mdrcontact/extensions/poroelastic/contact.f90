@@ -10,7 +10,7 @@ module mdrcontact_poroelastic_contact
     use mdrcontact_body_film, only: film_t, new_film
     use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_lapack, only: zgesv
+    use mdrcontact_numerics_one_thread, only: solve_complex
     use mdrcontact_numerics_waves, only: basis_t
     use mdrcontact_poroelastic_gel, only: gel_t, sealed_by_indenter
     use mdrcontact_poroelastic_kernel, only: surface_flux, relative_compliance
@@ -87,14 +87,14 @@ contains
         complex(wp), intent(out) :: w(:)
         type(error_t), allocatable, intent(inout) :: error
         complex(wp) :: system(size(w), size(w))
-        integer :: pivots(size(w)), info
+        integer :: info
 
         w = 0.0_wp
         if (allocated(error)) return
         system = matrix
         call add_to_diagonal(system, 1.0_wp)
         w(:2) = shape
-        call zgesv(size(w), 1, system, size(w), pivots, w, size(w), info)
+        call solve_complex(size(w), system, w, info)
         if (info /= 0) call raise(error, error_no_convergence, "the contact of a gel could not be solved")
     end subroutine solve_shape
 
