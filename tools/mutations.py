@@ -481,5 +481,7 @@ MUTATIONS = [
     ("python:studies/conduction.py", "conductors.rough(states[i], given.joint)", "conductors.rough(states[-1], given.joint)",
      "test_conduction.py"),
     ("python:problem/medium.py", "section.value(_HARDNESS), ratio)", "section.value(_HARDNESS), None)", "test_imprint_study.py"),
+    ("python:instruments/fitting/pyramid_fit.py", "turn @ scaled @ turn.T", "scaled", "test_pyramids.py"),
+    ("python:instruments/fitting/pyramids.py", "contrast * base_g - film_g", "contrast * film_g - base_g", "test_pyramids.py"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""
