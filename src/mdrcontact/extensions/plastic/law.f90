@@ -44,7 +44,8 @@ module mdrcontact_plastic_law
         real(wp) :: largest_depth = 0.0_wp, largest_force = 0.0_wp, largest_radius = 0.0_wp
         !> whether E* with which a contact unloads varies with its largest depth
         logical :: is_coated = .false.
-        !> R of a paraboloid [length], 0: the law is one of points; E*, of a coated body at the largest depth [modulus]; work of adhesion [modulus length]
+        !> R of a paraboloid [length], 0: the law is one of points; E*, of a coated body at the largest depth [modulus]; work of
+        !> adhesion [modulus length]
         real(wp) :: radius = 0.0_wp, modulus = 0.0_wp, work_of_adhesion = 0.0_wp
         !> the tolerance set, and the largest error of the polynomials that was found, relative
         real(wp) :: tolerance = 0.0_wp, error = 0.0_wp
