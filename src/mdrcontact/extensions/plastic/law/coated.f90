@@ -154,7 +154,8 @@ contains
         curve%modulus(i) = 0.5_wp*state%force/(state%radius*recovery*(2.0_wp/3.0_wp + kappa*part))
     end subroutine add_point
 
-    !> A2/(A1 + A2) of the two terms that give back the work `ratio` F (d - residual depth) on a half-space: a root of (2.8) over (2.3).
+    !> A2/(A1 + A2) of the two terms that give back the work `ratio` F (d - residual depth) on a half-space: a root of (2.8)
+    !> over (2.3).
     pure function uniform_part(ratio) result(part)
         real(wp), intent(in) :: ratio
         real(wp) :: part
