@@ -4,8 +4,8 @@
 python benchmarks/pyramids.py [--check N] [--seed K] [--shape NAME ...]
 
 Without --check it computes every entry and writes python/mdrcontact/instruments/fitting/pyramids.csv (sections of pyramids)
-and tests/data/pyramids.csv (others, for Poisson's ratios of 0.3): about two hours. --check computes N entries of both anew, and
-compares. The engine is ContactMechanics, pip install "mdrcontact[bem]".
+and tests/data/pyramids.csv (others, for Poisson's ratios of 0.3): about two hours. --check computes N entries anew, also of
+tests/data/pyramids_between.csv, and compares. The engine is ContactMechanics, pip install "mdrcontact[bem]".
 
 An entry is the force at the depth of the axisymmetric indenter, whose contact radius is a. Three grids, each twice as fine as
 the one before, give the extrapolated force; its error is the change from the second to the third. Grids are refined until
@@ -32,7 +32,7 @@ from mdrcontact.interop.contactmechanics import FreeLayeredSubstrate
 
 ROOT = Path(__file__).resolve().parent.parent
 PYRAMIDS = ROOT / "python" / "mdrcontact" / "instruments" / "fitting" / "pyramids.csv"
-OTHERS = ROOT / "tests" / "data" / "pyramids.csv"
+OTHERS, BETWEEN = ROOT / "tests" / "data" / "pyramids.csv", ROOT / "tests" / "data" / "pyramids_between.csv"
 COLUMNS = ("shape", "contrast", "position", "a_over_h", "force", "force_error", "area", "area_error")
 CONTRASTS = 10.0 ** np.arange(-2.0, 2.1, 0.5)
 POSITIONS = (0.0, 0.25, 0.5, 0.75, 1.0)
@@ -228,9 +228,18 @@ def write(path: Path, shapes: list[str]) -> None:
         table.writerows(rows)
 
 
+def between(row: dict[str, str]) -> dict[str, str]:
+    """A row of the table that tests the interpolation, with what its body is in the others."""
+    film, base = mdr.Elastic(float(row["ratio"]), float(row["nu"])), mdr.Elastic(1.0, float(row["base_nu"]))
+    contrast = film.contact_modulus / base.contact_modulus
+    film_g, base_g = ((1.0 - 2.0 * nu) / (1.0 - nu) for nu in (film.nu, base.nu))
+    return {**row, "contrast": f"{contrast:.12g}", "position": f"{(contrast * base_g - film_g + 1.0) / (1.0 + contrast):.12g}"}
+
+
 def check(count: int, seed: int, shapes: list[str]) -> int:
     """Compare random entries; the number of those that differ by more than the sum of the stated errors."""
     kept = [row for path in (PYRAMIDS, OTHERS) for row in csv.DictReader(path.open(encoding="utf-8"))]
+    kept += [between(row) for row in csv.DictReader(BETWEEN.open(encoding="utf-8"))]
     chosen = random.Random(seed).sample([row for row in kept if not shapes or row["shape"] in shapes], count)
     wrong = 0
     for row in chosen:
