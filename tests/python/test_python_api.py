@@ -22,7 +22,7 @@ from conftest import PUBLIC, ROOT
 
 import mdrcontact as mdr
 
-MODULES = [*PUBLIC, *map(importlib.import_module, ("mdrcontact.studies", "mdrcontact.progress", "mdrcontact.panels.panel"))]
+MODULES = [*PUBLIC, *map(importlib.import_module, ("mdrcontact.studies", "mdrcontact.progress", "mdrcontact.panels.figure"))]
 for adapter in ("contactmechanics", "tamaas"):
     with contextlib.suppress(mdr.MDRError):  # of an engine that is not installed
         MODULES.append(importlib.import_module(f"mdrcontact.interop.{adapter}"))

@@ -11,7 +11,8 @@ import numpy as np
 
 from .._units import ANGLE, BENDING, FORCE, LENGTH, MODULUS, STIFFNESS, Dimension, practical, shown
 from ..errors import InvalidArgumentError, MDRError
-from .panel import Array, Figure, Line, Panel, Rule, along, cut, marked
+from .figure import Figure
+from .panel import Array, Line, Panel, Rule, along, cut, marked
 
 OVER_DEPTH: Sequence[tuple[str, str, Dimension]] = (
     ("force F", "force", FORCE),

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import InvalidArgumentError, MDRError
-from .panel import Axis, Bars, Cells, Figure, Label, Line, Panel, Rule, limits, side_of
+from .panel import Axis, Bars, Cells, Label, Line, Panel, Rule, Sheet, limits, side_of
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8B4513", "#7f7f7f", "#9a9a00")
 """Okabe and Ito's colours, which all eyes tell apart, and four more."""
@@ -59,7 +59,7 @@ def colour(of: int | str) -> str:
     return NAMED[of] if isinstance(of, str) else COLOURS[of % len(COLOURS)]
 
 
-def draw(figure: Figure) -> Any:
+def draw(figure: Sheet) -> Any:
     """Draw a figure; a `matplotlib.figure.Figure` that a notebook shows."""
     try:
         import matplotlib
@@ -77,7 +77,7 @@ def form_of(path: str | os.PathLike[str]) -> str:
     return form
 
 
-def png(figure: Figure) -> bytes:
+def png(figure: Sheet) -> bytes:
     """Return a figure as a PNG file."""
     return rendered(draw(figure), "png")
 
@@ -105,7 +105,7 @@ def _shown() -> Any:
     return Shown
 
 
-def _drawn(figure: Figure) -> Any:
+def _drawn(figure: Sheet) -> Any:
     columns = min(figure.columns, len(figure.panels))
     rows = math.ceil(len(figure.panels) / columns)
     heights = figure.heights or (1.0,) * rows

@@ -3,16 +3,12 @@
 
 from __future__ import annotations
 
-import os
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .._files import check_place, replace
 from .._units import Dimension, Unit, practical
-
-__all__ = ["Figure"]
 
 Array = NDArray[np.float64]
 FEW = 12
@@ -127,20 +123,8 @@ class Panel(NamedTuple):
     """True if y is a depth"""
 
 
-class Figure(NamedTuple):
-    """Figure of a result: panels under one title, which a notebook shows.
-
-    `panels` contains the axes with their units and the lines with their points. `mdrcontact.panels.matplotlib.draw` returns a
-    figure of matplotlib, which can be changed.
-
-    Examples
-    --------
-    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(72e9, 0.17)))
-    >>> figure = contact.plot(100e-9)
-    >>> line = figure.panels[0].parts[0]
-    >>> print(figure.panels[0].y.title, f"{line.y[-1]:.3f}")
-    force F [mN] 9.886
-    """
+class Sheet(NamedTuple):
+    """Panels under one title."""
 
     title: str
     """lines of text above the panels"""
@@ -152,33 +136,6 @@ class Figure(NamedTuple):
     """of the rows, relative; equal if empty"""
     warnings: tuple[str, ...] = ()
     """sentences that a reader must not overlook"""
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the figure to a file.
-
-        Parameters
-        ----------
-        path : str or path-like
-            File, whose name ends in .png, .pdf or .svg.
-
-        Raises
-        ------
-        InvalidArgumentError
-            The name ends otherwise.
-        MDRError
-            matplotlib is not installed.
-        """
-        from .matplotlib import draw, form_of, rendered
-
-        check_place(path)
-        form = form_of(path)
-        replace(path, rendered(draw(self), form))
-
-    def _repr_png_(self) -> bytes:
-        """Draw the figure in a notebook."""
-        from .matplotlib import png
-
-        return png(self)
 
 
 def along(name: str, dimension: Dimension, values: Any, **options: Any) -> tuple[Axis, Unit]:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from .matplotlib import DECADES, LEGEND_BELOW, colour
-from .panel import Array, Axis, Band, Bars, Cells, Figure, Label, Line, Panel, Part, Rule, limits, side_of
+from .panel import Array, Axis, Band, Bars, Cells, Label, Line, Panel, Part, Rule, Sheet, limits, side_of
 
 _DASHES = ("solid", "dash", "dot")
 _MARKERS = {"o": "circle", "s": "square", "^": "triangle-up", "x": "x"}
@@ -27,11 +27,11 @@ _WHOLE = 12
 """Counts up to this one each have a tick."""
 
 
-def draw(figure: Figure) -> list[Any]:
+def draw(figure: Sheet) -> list[Any]:
     """Draw the panels of a figure; a `plotly.graph_objects.Figure` for each."""
-    from plotly import graph_objects
+    from plotly.graph_objects import Figure
 
-    return [graph_objects.Figure(_panel(panel)) for panel in figure.panels]
+    return [Figure(_panel(panel)) for panel in figure.panels]
 
 
 def _panel(panel: Panel) -> dict[str, Any]:
