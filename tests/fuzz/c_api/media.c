@@ -41,6 +41,29 @@ static void waves(input *in, const mdr_body *body)
     judge("mdr_body_compliance", mdr_body_compliance(body, load, n, k, at_rest ? NULL : omega, out, NULL), n, out, FINITE);
 }
 
+/* Its limits, and its displacement in space. */
+static void space(input *in, const mdr_body *body)
+{
+    const int n = take_count(in);
+    const double tolerance = take_positive(in), width = take_positive(in), height = take_positive(in);
+    double x[MOST_POINTS], y[MOST_POINTS], out[MOST_POINTS];
+    mdr_response *response = NULL;
+
+    fill(out);
+    judge("mdr_body_compliance_limits", mdr_body_compliance_limits(body, 0.0, out, NULL), 3, out, NOT_NAN);
+    take_positives(in, x);
+    take_positives(in, y);
+    judge_object("mdr_response_new", mdr_response_new(body, tolerance, &response), response);
+    if (!response) return;
+    fill(out);
+    judge("mdr_response_about", mdr_response_about(response, out, NULL), 1, out, FINITE);
+    fill(out);
+    judge("mdr_response_point", mdr_response_point(response, n, x, out), n, out, FINITE);
+    fill(out);
+    judge("mdr_response_rectangle", mdr_response_rectangle(response, width, height, n, x, y, out), n, out, FINITE);
+    judge_status("mdr_free", mdr_free(response));
+}
+
 /* Layers of all kinds, the stress at which one wrinkles, and what their surface answers. */
 static int make_stack(world *w, mdr_medium **out, int *is_exact)
 {
@@ -88,6 +111,7 @@ static int make_stack(world *w, mdr_medium **out, int *is_exact)
     const int status = mdr_body_layered(n, layers, rigid ? NULL : &layers[3], &surface, &body);
     judge_object("mdr_body_layered", status, body);
     if (body) waves(in, body);
+    if (body && take_byte(in) % 4 == 0) space(in, body);
     if (body && take_byte(in) % 8 == 7) {
         judge_status("mdr_body_wrinkling", mdr_body_wrinkling(body, take_count(in), &stress, &wavelength));
     }
