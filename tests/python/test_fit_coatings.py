@@ -180,7 +180,7 @@ def test_problem_files_and_the_command_line(tmp_path, capsys):
     problem.write_text(PROBLEM)
     assert main(["fit", str(measured), "--problem", str(problem), "--json", str(found)]) == 0
     text = capsys.readouterr().out
-    assert "normal stiffness of the interface below the film" in text and "GPa/um" in text
+    assert "normal stiffness of the interface below the film" in text and "GPa/\N{MICRO SIGN}m" in text
     answer = json.loads(found.read_text())["parameters"]
     for name in ("layers[0].interface.normal", "layers[0].C44"):
         value, error = answer[name]["value"], answer[name]["standard_error"]

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import importlib
 import math
-import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -26,9 +25,7 @@ MEANS = ("layers", "isolated")
 def engine(name: str, adapter: str) -> Any:
     """The module of an engine, or an exception that names the extra which installs it."""
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of engines that search for MPI
-            return importlib.import_module(name)
+        return importlib.import_module(name)
     except ImportError as problem:
         raise MDRError(f'{adapter} needs {name}. Install it with pip install "mdrcontact[bem]"') from problem
 

@@ -86,8 +86,6 @@ module mdrcontact_plastic_law
 
     !> Contacts that a thread takes at a time, and from how many on several threads pay.
     integer, parameter :: block_size = 2048, smallest_parallel = 8*block_size
-    !> Largest energy that jumps have lost, as in mdrcontact_plastic_law.h.
-    real(wp), parameter :: most_lost = 1.0e150_wp
     !> Most steps of a search, and where it ends.
     integer, parameter :: most_steps = 200
     real(wp), parameter :: close = 4.0_wp*epsilon(1.0_wp)
