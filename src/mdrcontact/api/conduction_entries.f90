@@ -119,6 +119,7 @@ contains
 
         call open_handle(p, "p", p_inside, error)
         if (.not. allocated(error)) call make_room(error, n, frequencies)
+        if (.not. allocated(error)) frequencies(:) = 0.0_c_double
         if (.not. allocated(error) .and. n > 0) then
             if (present(omega)) frequencies(:) = omega(:n)
         end if

@@ -486,6 +486,9 @@ contains
         if (.not. allocated(error)) then
             if (allocated(body_inside%relaxing)) call make_room(error, n, frequencies)
         end if
+        if (.not. allocated(error)) then
+            if (allocated(frequencies)) frequencies(:) = 0.0_c_double
+        end if
         if (.not. allocated(error) .and. n > 0) then
             if (allocated(frequencies) .and. present(omega)) frequencies(:) = omega(:n)
         end if

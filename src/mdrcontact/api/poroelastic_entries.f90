@@ -151,6 +151,7 @@ contains
         call make_room(error, n, wavenumbers)
         if (.not. allocated(error)) call make_room(error, n, frequencies)
         if (.not. allocated(error) .and. n > 0) wavenumbers(:) = k(:n)
+        if (.not. allocated(error)) frequencies(:) = 0.0_c_double
         if (.not. allocated(error) .and. n > 0) then
             if (present(omega)) frequencies(:) = omega(:n)
         end if
