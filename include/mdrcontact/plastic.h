@@ -420,7 +420,7 @@ int mdr_overload_states(const mdr_overload *rule, int given, int n, const double
  *  mdr_overload *soft_film = NULL;
  *  mdr_plastic_law *grain = NULL;
  *  status = mdr_overload_new(contact, 2, yield_stress, &soft_film);
- *  status = mdr_plastic_law_from_overload(soft_film, 100e-9, NULL, &grain);
+ *  status = mdr_plastic_law_from_overload(soft_film, 50e-9, NULL, &grain);
  *  MDR_FREE(grain);
  *  MDR_FREE(soft_film);
  *  @endcode

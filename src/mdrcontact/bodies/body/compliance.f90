@@ -101,6 +101,7 @@ contains
         class(compliance_t), intent(in) :: self
         !> real part > 0 [1/length]
         complex(wp), intent(in) :: k
+        !> of coupling, always 0 here [1]
         complex(wp), intent(out) :: ratio
         type(error_t), allocatable, intent(inout) :: error
 

@@ -38,8 +38,9 @@ module mdrcontact_medium_response
 
     !> The surface of a body in space. Made by new_response; its numbers must only be read.
     type, extends(object_t) :: response_t
-        !> k C/2 at large k and the weights of the images [1/modulus]
+        !> k C/2 at large k [1/modulus]
         real(wp) :: bare = 0.0_wp
+        !> of the images [1/modulus]
         real(wp), allocatable :: weight(:)
         !> depths of the images, ascending [length]
         real(wp), allocatable :: depth(:)
