@@ -133,7 +133,7 @@ static void test_history_refusals(const mdr_poroelastic *gel)
 static void test_compliance(void)
 {
     const double k = 0.3, fast = 1e20, slow[2] = {0.2, -0.2}, waves[2] = {0.3, 0.3};
-    double out = 0.0, more = 0.0, both[2], ahead[2];
+    double out = 0.0, more = 0.0, both[2], ahead[2], many[64], quick[64], found[64];
 
     CHECK_SUCCESS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SEALED, 0.0, 2.0, 1.0, 2, waves, slow, both, ahead));
     CHECK_TRUE(ahead[0] < 0.0 && ahead[1] == -ahead[0] && both[0] == both[1]);
@@ -142,6 +142,11 @@ static void test_compliance(void)
     CHECK_CLOSE(out, 0.4 / k, 1e-12);
     CHECK_SUCCESS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SURFACE, 0.0, 2.0, 1.0, 1, &k, &fast, &out, NULL));
     CHECK_CLOSE(out, 0.25 / k, 1e-8);
+    /* at rest without frequencies, whatever the call before has left in memory */
+    for (int i = 0; i < 64; i++) many[i] = k, quick[i] = fast;
+    CHECK_SUCCESS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SURFACE, 0.0, 2.0, 1.0, 64, many, quick, found, NULL));
+    CHECK_SUCCESS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SURFACE, 0.0, 2.0, 1.0, 64, many, NULL, found, NULL));
+    for (int i = 0; i < 64; i++) CHECK_CLOSE(found[i], 0.4 / k, 1e-12);
     CHECK_STATUS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_INDENTER, 0.0, 2.0, 1.0, 1, &k, NULL, &out, &more), MDR_EINVALID,
                  "drainage = 3");
     CHECK_STATUS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SURFACE, -1.0, 2.0, 1.0, 1, &k, NULL, &out, &more), MDR_EINVALID,
