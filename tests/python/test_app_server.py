@@ -10,6 +10,7 @@ import subprocess
 import sys
 import threading
 import time
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import pytest
@@ -315,16 +316,25 @@ def test_warnings_belong_to_results_and_cross_no_threads(session):
 
 def listening_of(pid):
     """The addresses on which a process listens, as the system has them."""
-    names = [os.readlink(f"/proc/{pid}/fd/{name}") for name in os.listdir(f"/proc/{pid}/fd")]
+    names = []
+    for place in os.listdir(f"/proc/{pid}/fd"):
+        with suppress(FileNotFoundError):  # the connection of a request that has ended
+            names.append(os.readlink(f"/proc/{pid}/fd/{place}"))
     rows = [line.split() for file in ("tcp", "tcp6") for line in Path(f"/proc/net/{file}").read_text().splitlines()[1:]]
     return [row[1] for row in rows if row[3] == "0A" and f"socket:[{row[9]}]" in names]
 
 
+@contextmanager
 def command(*arguments, **more):
-    return subprocess.Popen(
+    """The process of the command; it ends with the test, also with one that fails."""
+    with subprocess.Popen(
         [sys.executable, "-m", "mdrcontact", "app", *arguments],
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT, **more,
-    )  # fmt: skip
+    ) as process:  # fmt: skip
+        try:
+            yield process
+        finally:
+            process.kill()
 
 
 @pytest.mark.slow

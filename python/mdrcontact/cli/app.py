@@ -36,13 +36,13 @@ def run(arguments: argparse.Namespace) -> None:
         thread = threading.Thread(target=server.serve_forever, daemon=True)
         thread.start()
         address = f"http://{server.host}:{server.port}"
-        print(f"{address}/{session.secret}", flush=True)
-        if not arguments.no_browser and not webbrowser.open(f"{address}/{session.once}"):
-            print("No browser was found. Open this address in one.", flush=True)
-        print("Ctrl-C ends the page.", flush=True)
-        for name in {"SIGTERM", "SIGHUP"} & {*dir(signal)}:
-            signal.signal(getattr(signal, name), signal.default_int_handler)
         with suppress(KeyboardInterrupt):
+            for name in {"SIGTERM", "SIGHUP"} & {*dir(signal)}:
+                signal.signal(getattr(signal, name), signal.default_int_handler)
+            print(f"{address}/{session.secret}", flush=True)
+            if not arguments.no_browser and not webbrowser.open(f"{address}/{session.once}"):
+                print("No browser was found. Open this address in one.", flush=True)
+            print("Ctrl-C ends the page.", flush=True)
             while thread.is_alive():  # a signal right before an endless wait would not end it
                 thread.join(0.5)
     finally:
