@@ -42,7 +42,7 @@ check() {
 say "1/6 System packages"
 tools=(g++:g++)
 on_macos || tools+=(valgrind:valgrind)
-python_tools=(fortitude-lint ruff yamllint)
+python_tools=(fortitude-lint pytest-timeout ruff yamllint)
 # the page of mdrcontact app in a browser; elsewhere than on Debian only if there is one
 if $all; then
     grep -qs "^ID=debian" /etc/os-release && tools+=(chromium:chromium chromedriver:chromium-driver)
@@ -98,7 +98,8 @@ say "5/6 Python tests (pytest)"
 if with_progress "$log_dir/install.log" cmake --install "$build" --prefix "$PWD/build/prefix"; then
     export MDRCONTACT_PREFIX="$PWD/build/prefix"
 fi
-.venv/bin/python -m pytest -n "$jobs" --dist worksteal ${pytest_options[@]+"${pytest_options[@]}"} \
+# a test that waits for ever fails, with where it waits; the longest takes two minutes
+.venv/bin/python -m pytest -n "$jobs" --dist worksteal --timeout=900 ${pytest_options[@]+"${pytest_options[@]}"} \
     --junitxml="$results/pytest.xml" -o junit_family=xunit2
 
 say "6/6 Packages"
