@@ -651,7 +651,7 @@ def test_the_order_of_clicks_changes_nothing(open_page, seed):
         page.tab(name)
         expected[name] = page.numbers()
     text = page.text
-    for _ in range(8):
+    for _ in range(4):
         name = order.choice(names)
         page.tab(name)
         page.type("compute/max_depth", "30 nm")
