@@ -10,6 +10,7 @@ source tools/messages.sh
 source tools/system_packages.sh
 source tools/python_environment.sh
 
+note "This takes about 3 minutes on two cores, after the download of packages."
 say "1/3 System packages"
 install_system_packages
 say "2/3 Python package in .venv"

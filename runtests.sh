@@ -39,6 +39,7 @@ check() {
     fi
 }
 
+note "This takes about $($all && echo 40 || echo 12) minutes on two cores, after the download of packages."
 say "1/6 System packages"
 tools=(g++:g++)
 on_macos || tools+=(valgrind:valgrind)
