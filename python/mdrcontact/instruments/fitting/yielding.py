@@ -122,12 +122,13 @@ def reverse_yield(result: Any, stresses: tuple[YieldStress, ...]) -> tuple[Layer
     if hasattr(both, "with_model"):
         both = both.with_model("exact")
     body = both.lower if isinstance(both, Pair) else both
-    most = np.zeros(len(stresses))
+    layers = [i for i, (y, _) in enumerate(stresses) if math.isfinite(y)]
+    most = np.zeros(len(layers))
     for i in np.unique(np.linspace(0, len(data) - 1, min(len(data), _MOST)).round().astype(int)):
         terms = _pressure(both, radius[i], load[i], left[i], depth[i])
-        most = np.maximum(most, _stresses(body, radius[i], *terms, count=len(stresses)))
-    found = (LayerYield(i, y, float(s / y), error) for i, (s, (y, error)) in enumerate(zip(most, stresses, strict=True)))
-    return tuple(one for one in found if math.isfinite(one.yield_stress))
+        most = np.maximum(most, _stresses(body, radius[i], *terms, layers=layers, count=len(stresses)))
+    given = (stresses[i] for i in layers)
+    return tuple(LayerYield(i, y, float(s / y), error) for i, s, (y, error) in zip(layers, most, given, strict=True))
 
 
 def _pressure(medium: Any, radius: float, force: float, left: float, depth: float) -> tuple[float, float]:
@@ -140,20 +141,20 @@ def _pressure(medium: Any, radius: float, force: float, left: float, depth: floa
             return float(force / (math.pi * radius**2)), 0.0
 
 
-def _stresses(body: Any, radius: float, uniform: float, hertz: float, *, count: int) -> Array:
-    """Largest von Mises stress of each layer under a pressure."""
+def _stresses(body: Any, radius: float, uniform: float, hertz: float, *, layers: list[int], count: int) -> Array:
+    """Largest von Mises stress under a pressure, of some layers out of `count`."""
     rigid = _NO_YIELD * (uniform + abs(hertz))
     try:
         made = Imprint.from_two_terms(body, radius, uniform, hertz)
     except DomainError:
         # the contact would end in a ring: Hertz's pressure has the same force
         made = Imprint.from_two_terms(body, radius, 0.0, 1.5 * uniform + hertz)
-    found = np.zeros(count)
-    for i in range(count):
+    found = []
+    for i in layers:
         limits = np.full(count, math.inf)
         limits[i] = rigid
-        found[i] = made.reverse_yield(limits).ratio * rigid
-    return found
+        found.append(made.reverse_yield(limits).ratio * rigid)
+    return np.array(found)
 
 
 def warning_of(found: tuple[LayerYield, ...]) -> list[str]:
