@@ -137,7 +137,6 @@ EXCEPTIONS = {
     ("*", "fit.free", "free[coating.E.lower = 1100000000.0]"): "a bound beyond the estimate",
     ("*", "fit.free", "free[thickness.upper = 1.1e-05]"): "a bound beyond the estimate",
     ("force-depth", "fit.free", "free[thickness.lower = 2.25e-06]"): "a bound beyond the estimate",
-    ("stiffness-depth", "fit.free", "free[thickness.lower = 2.25e-06]"): "a bound beyond the estimate",
     ("stiffness-radius", "fit.free", "free[thickness.lower = 2.25e-06]"): "a bound beyond the estimate",
     ("weighed", "fit.free", "free[thickness.start 10 % more]"): "another way of the search to the same place",
     ("weighed", "fit.instrument", "instrument.depth_offset 10 % more"): "free, and Free(start) says where the search begins",
