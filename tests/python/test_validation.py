@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from conftest import ROOT
 
+import mdrcontact as mdr
 from mdrcontact.__main__ import main
 from mdrcontact.validation import CHECKS, GROUPS
 from mdrcontact.validation import page as pages
@@ -49,7 +50,7 @@ def test_a_wrong_number_is_seen(monkeypatch, capsys):
 
 
 def test_what_is_printed_fits_the_screen_and_ends_with_the_count(monkeypatch, capsys):
-    """The lines had 228 characters, and nothing said whether all was well."""
+    """Also where no program of others is installed: what did not run has a line of its own before the count."""
     module = sys.modules["mdrcontact.studies.validate"]
     done = comparison("x", np.array([1.0]), np.array([1.0]), np.array([1.0]))
     quick = tuple(dataclasses.replace(check, run=lambda: done, needs="") for check in CHECKS)
@@ -60,18 +61,28 @@ def test_what_is_printed_fits_the_screen_and_ends_with_the_count(monkeypatch, ca
     assert out.endswith(f"\n{len(CHECKS)} of {len(CHECKS)} within their bounds\n")
     assert main(["validate"]) == 0
     long = sum(check.is_long for check in CHECKS)
-    assert f"\n{len(CHECKS) - long} of {len(CHECKS) - long} within their bounds; {long} not run\n" in capsys.readouterr().out
+    left = f"\n{long} of {len(CHECKS)} not run: {long} (--full)\n{len(CHECKS) - long} of {len(CHECKS) - long} within their bounds\n"
+    assert capsys.readouterr().out.endswith(left)
     spoiled = dataclasses.replace(quick[0], run=lambda: comparison("x", np.ones(1), 2.0 * np.ones(1), np.ones(1)))
     monkeypatch.setattr(module, "CHECKS", (spoiled, *quick[1:3]))
     assert main(["validate", "--full"]) == 1
     assert capsys.readouterr().out.endswith("2 of 3 within their bounds\n")
+    pairs = zip(quick, CHECKS, strict=True)
+    monkeypatch.setattr(module, "CHECKS", tuple(dataclasses.replace(one, needs=check.needs) for one, check in pairs))
+    monkeypatch.setattr(pages, "is_installed", lambda _: False)
+    assert main(["validate", "--full"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    left = sum(bool(check.needs) for check in CHECKS)
+    assert max(map(len, lines)) <= 120 and lines[-1] == f"{len(CHECKS) - left} of {len(CHECKS) - left} within their bounds"
+    assert f"{left} of {len(CHECKS)} not run: 1 (SciPy is not installed), 9 (scikit-fem is not installed)" in "\n".join(lines)
 
 
 def test_missing_programs_are_named(monkeypatch, capsys):
     monkeypatch.setattr(pages, "is_installed", lambda module: False)
     assert main(["validate", "--only", "elements-bonded"]) == 0
     out = capsys.readouterr().out
-    assert "not run: scikit-fem" in out and "scikit-fem is not installed" in out and "0 of 0 within their bounds; 1 not run" in out
+    assert out.endswith("1 of 1 not run: 1 (scikit-fem is not installed)\n0 of 0 within their bounds\n")
+    assert "scikit-fem is" in out.partition("programs:")[0] and "scikit-fem" not in out.partition("programs:")[2].splitlines()[0]
     assert main(["validate", "--only", "hertzz"]) == 2
     assert "Did you mean 'hertz'" in capsys.readouterr().err
 
@@ -98,7 +109,12 @@ def test_every_source_is_in_the_bibliography():
 
 
 def test_the_page_of_the_guide():
-    """Each comparison with its command and its picture, each limit in the words and constants of the library."""
+    """Each comparison with its command and its picture, each limit in the words and constants of the library, and what to cite."""
+    count = f"{len(CHECKS)} of {len(CHECKS)} within their bounds"
+    assert f"compares mdrcontact {mdr.__version__} with" in PAGE and f"**Result: {count}.**\n" in PAGE
+    assert all(f"{program} " in PAGE for program in ("mdrcontact", "Python", "NumPy", *pages.PROGRAMS.values()))
+    for named in re.findall(r"`(python/[\w/]+\.py)`", PAGE):
+        assert (ROOT / named).is_file(), named
     for check in CHECKS:
         assert f"| {check.capability} | {pages.cited(check.source)} | " in PAGE and f"--only {check.name}`" in PAGE
     for group in GROUPS:

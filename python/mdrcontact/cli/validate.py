@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import textwrap
 from pathlib import Path
 
 from .._choices import suggestion
@@ -40,7 +41,7 @@ def run(arguments: argparse.Namespace) -> None:
         raise ProblemError(f"--only {arguments.only}: there is no such comparison. {suggestion(arguments.only, names)}")
     with on_terminal() as progress:
         found = validate(full=arguments.full, only=arguments.only, progress=progress)
-    print(f"{aligned(wrapped(as_rows(found.tables['comparisons']), _WIDTH))}\n\n{found.notes['programs']}")
+    print(f"{aligned(wrapped(as_rows(found.tables['comparisons']), _WIDTH))}\n")
     contents = {}
     if arguments.html:
         contents[arguments.html] = html(found.rows).encode()
@@ -50,6 +51,7 @@ def run(arguments: argparse.Namespace) -> None:
         folder.mkdir(exist_ok=True)
         contents.update({folder / name: drawn for name, drawn in pictures(found.rows).items()})
     files.save(contents, arguments.overwrite)
-    print(found.notes["bounds"])
+    for note in found.notes.values():
+        print(textwrap.fill(note, _WIDTH))
     if found.beyond:
         raise MDRError(f"the deviation exceeds the error of the source: {', '.join(found.beyond)}")

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 from .._choices import nearest
@@ -11,7 +10,7 @@ from .._units import RATIO
 from ..errors import InvalidArgumentError
 from ..progress import Progress
 from ..validation import CHECKS
-from ..validation.page import TITLES, Row, programs, run
+from ..validation.page import TITLES, Row, counted, programs, run
 from .result import Number, Result, in_turn, in_words, study
 
 
@@ -32,7 +31,7 @@ def validate(*, full: bool = False, only: str | None = None, progress: Progress 
     Parameters
     ----------
     full : bool, optional
-        Also run comparisons that take minutes.
+        Also run the comparisons that take longest.
     only : str, optional
         Name of the comparison to run; by default all run.
     progress : Progress, optional
@@ -62,19 +61,12 @@ def validate(*, full: bool = False, only: str | None = None, progress: Progress 
     for check in in_turn(progress or Progress(), chosen, len(chosen), "comparisons"):
         rows += run([check], full)
     beyond = tuple(row.check.name for row in rows if not row.holds)
+    *left, held = counted(rows)
     return ValidateResult(
         title="Validation",
         numbers={"comparisons": Number(len(rows), RATIO), "comparisons beyond": Number(len(beyond), RATIO)},
-        notes={"programs": f"programs: {', '.join(programs())}", "bounds": _bounds(rows)},
+        notes={"programs": f"programs: {', '.join(programs())}", **({"not run": left[0]} if left else {}), "bounds": held},
         tables={"comparisons": in_words([TITLES[:5], *(row.cells()[:5] for row in rows)])},
         rows=tuple(rows),
         beyond=beyond,
     )
-
-
-def _bounds(rows: Sequence[Row]) -> str:
-    """Return the number of comparisons that hold, of those that were run."""
-    were_run = [row for row in rows if row.found is not None]
-    left = len(rows) - len(were_run)
-    held = sum(row.holds for row in were_run)
-    return f"{held} of {len(were_run)} within their bounds" + (f"; {left} not run" if left else "")

@@ -88,7 +88,7 @@ ADHESION = (
     Check("jkr", "adhesion", "Johnson, Kendall, Roberts 1971", 1e-8, LIBRARY, jkr),
     Check("maugis", "finite-range adhesion", "Maugis 1992", 1e-8, LIBRARY, maugis),
     Check("tension", "adhesion on a surface with tension", "Young 1805; Dupré 1869; Style et al. 2013", 1e-3,
-          "the limit's: E R/tau up to 2e-3", with_tension),
+          "limit: E R/tau up to 2e-3", with_tension),
     Check("rate", "pull-off that depends on speed", "Maugis, Barquins 1978, integrated by SciPy", 1e-6,
-          "SciPy's: step control", rate, needs="scipy"),
+          "step control of SciPy", rate, needs="scipy"),
 )  # fmt: skip

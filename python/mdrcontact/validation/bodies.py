@@ -20,7 +20,7 @@ MODULUS = 2.0 * SHEAR / (1.0 - NU)
 """E*"""
 FRICTION = 0.3
 ROUNDING = 1e-9
-LIBRARY = "rounding and the library's tolerance"
+LIBRARY = "rounding and tolerance of the library"
 
 
 def ball() -> Contact:

@@ -60,9 +60,9 @@ def step() -> Comparison:
 
 
 CONDUCTING = (
-    Check("holm", "conductance of a spot", "Holm 1967", ROUNDING, LIBRARY, holm),
-    Check("dryden", "spot on a layered conductor, thick layer", "Dryden 1983", 3e-3, "the limit's next term, (a/H)^2", dryden),
-    Check("heat", "temperature by the heat of friction", "Carslaw, Jaeger 1959; Hertz 1882", 1e-8, LIBRARY, heat),
-    Check("moving", "largest temperature under a moving source", "Tian, Kennedy 1994, fit", 2e-2, "the fit's", moving),
-    Check("step", "flux after a step of potential", "Shoup, Szabo 1982, fit", 8e-3, "the fit's, stated as 6e-3", step),
+    Check("holm", "conductance of a circular contact area", "Holm 1967", ROUNDING, LIBRARY, holm),
+    Check("dryden", "constriction resistance of a thick layer", "Dryden 1983", 3e-3, "next term of the limit, (a/H)^2", dryden),
+    Check("heat", "temperature by frictional heat", "Carslaw, Jaeger 1959; Hertz 1882", 1e-8, LIBRARY, heat),
+    Check("moving", "largest temperature under a moving source", "Tian, Kennedy 1994, fit", 2e-2, "fit", moving),
+    Check("step", "flux after a step of potential", "Shoup, Szabo 1982, fit", 8e-3, "fit, stated as 6e-3", step),
 )

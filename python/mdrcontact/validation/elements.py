@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import functools
 import importlib
 from collections.abc import Callable
 from typing import Any
@@ -156,37 +157,51 @@ def with_an_axis() -> Comparison:
 def coated() -> Comparison:
     """Films ten times softer and stiffer than their base. What lies beyond the mesh adds to the compliance what it adds to that of
     the base alone."""
-    base, rows = Elastic(1.0, 0.3), []
+    rows = []
     for contrast in (0.1, 10.0):
         film = Elastic(contrast, 0.25)
         for a in (0.3, 1.0, 3.0):
             far = _FAR * max(a, 1.0)
-            r = _lines([a, 0.0, far], _FINEST * a, _RATIO)
-            z = np.unique(np.concatenate([_lines([0.0, 1.0], _FINEST * a, _RATIO), _lines([1.0, far], 0.05, _RATIO)]))
-            added = 1.0 / _Body(_moduli([(1.0, film), (far, base)]), r, z).punch(a)
-            added -= 1.0 / _Body(_moduli([(far, base)]), r, z).punch(a)
-            there = 1.0 / (1.0 / float(Homogeneous(base).stiffness(a)) + added)
-            rows.append((a, float(Coated(film, 1.0, base).stiffness(a)), there))
+            there = _on_the_base(_moduli([(1.0, film), (far, _BARE)]), a)
+            rows.append((a, float(Coated(film, 1.0, _BARE).stiffness(a)), there))
     a, here, there = np.array(rows, dtype=float).T
     return comparison("a/h (soft, then stiff)", np.concatenate([a[:3], 4.0 + a[3:]]), here, there)
 
 
+_BARE = Elastic(1.0, 0.3)
+"""Base of the coated and graded bodies under punches."""
+
+
+def _on_the_base(moduli: Moduli, a: float) -> float:
+    """Stiffness of a punch on a body with a base, whose part beyond the mesh adds the compliance that the base alone lacks."""
+    added = 1.0 / _Body(moduli, *_half_space(a)).punch(a) - 1.0 / _bare_punch(a)
+    return 1.0 / (1.0 / float(Homogeneous(_BARE).stiffness(a)) + added)
+
+
+@functools.cache
+def _bare_punch(a: float) -> float:
+    """Stiffness of a punch on the meshed part of the base alone."""
+    r, z = _half_space(a)
+    return _Body(_moduli([(z[-1], _BARE)]), r, z).punch(a)
+
+
+def _half_space(a: float) -> tuple[Array, Array]:
+    """Lines of a mesh with a layer of thickness 1 on top."""
+    far = _FAR * max(a, 1.0)
+    z = np.concatenate([_lines([0.0, 1.0], _FINEST * a, _RATIO), _lines([1.0, far], 0.05, _RATIO)])
+    return _lines([a, 0.0, far], _FINEST * a, _RATIO), np.unique(z)
+
+
 def graded() -> Comparison:
     """A body whose modulus falls from 4 to 1 over the depth h; what lies beyond the mesh as for a coated body."""
-    base, rows = Elastic(1.0, 0.3), []
+    nu = _BARE.nu
 
     def moduli(z: Array) -> tuple[Array, Array]:
-        shear = np.maximum(4.0 - 3.0 * z, 1.0) / (2.0 * (1.0 + base.nu))
-        return 2.0 * shear * base.nu / (1.0 - 2.0 * base.nu), shear
+        shear = np.maximum(4.0 - 3.0 * z, 1.0) / (2.0 * (1.0 + nu))
+        return 2.0 * shear * nu / (1.0 - 2.0 * nu), shear
 
-    body = Graded([0.0, 1.0], [4.0, 1.0], base.nu)
-    for a in (0.3, 1.0, 3.0):
-        far = _FAR * max(a, 1.0)
-        r = _lines([a, 0.0, far], _FINEST * a, _RATIO)
-        z = np.unique(np.concatenate([_lines([0.0, 1.0], _FINEST * a, _RATIO), _lines([1.0, far], 0.05, _RATIO)]))
-        added = 1.0 / _Body(moduli, r, z).punch(a) - 1.0 / _Body(_moduli([(far, base)]), r, z).punch(a)
-        rows.append((a, float(body.stiffness(a)), 1.0 / (1.0 / float(Homogeneous(base).stiffness(a)) + added)))
-    return comparison("a/h", *np.array(rows).T)
+    body, radii = Graded([0.0, 1.0], [4.0, 1.0], nu), (0.3, 1.0, 3.0)
+    return comparison("a/h", radii, [float(body.stiffness(a)) for a in radii], [_on_the_base(moduli, a) for a in radii])
 
 
 _WIDER = 1.1
@@ -207,6 +222,7 @@ def sticking() -> Comparison:
     return comparison("a/h", *np.array(rows).T)
 
 
+@functools.cache
 def _bonded_punch(film: Elastic, a: float) -> float:
     return _punch_on_layer(_moduli([(1.0, film)]), a)
 
@@ -294,21 +310,24 @@ def fitted() -> Comparison:
 
 ELEMENTS = (
     Check("elements-bonded", "stiffness, layer on a rigid base", "finite elements (scikit-fem)", 1e-3,
-          "the elements': singular edge, 12 thicknesses", bonded, needs="skfem"),
-    Check("elements-axis", "stiffness, layer with an axis on a rigid base", "finite elements (scikit-fem)", 1e-3,
-          "the elements': singular edge, 12 thicknesses", with_an_axis, needs="skfem"),
+          "elements: singular edge, mesh of 12 thicknesses", bonded, needs="skfem"),
+    Check("elements-axis", "stiffness, transversely isotropic layer on a rigid base", "finite elements (scikit-fem)", 1e-3,
+          "elements: singular edge, mesh of 12 thicknesses", with_an_axis, needs="skfem"),
     Check("elements-coated", "stiffness, coated half-space", "finite elements (scikit-fem)", 4e-3,
-          "the elements': end of the mesh at 60 a", coated, is_long=True, needs="skfem"),
+          "elements: end of the mesh at 60 a", coated, is_long=True, needs="skfem"),
     Check("elements-graded", "stiffness, graded half-space", "finite elements (scikit-fem)", 4e-3,
-          "the elements': end of the mesh at 60 a", graded, is_long=True, needs="skfem"),
+          "elements: end of the mesh at 60 a", graded, is_long=True, needs="skfem"),
     Check("elements-adhesion", "adhesion on a bonded layer", "finite elements (scikit-fem)", 4e-3,
-          "the elements': stiffness differentiated over 20 % of a", sticking, needs="skfem"),
-    Check("elements-pressed", "pressure and surface of a coated body", "finite elements (scikit-fem)", 2e-3,
-          "the elements': cells next to the edge, end of the mesh", pressed, is_long=True, needs="skfem"),
-    Check("elements-inside", "stresses inside a coated body", "finite elements (scikit-fem)", 1e-2,
-          "the elements': derivatives between nodes", inside, is_long=True, needs="skfem"),
-    Check("elements-slip", "partial slip of a coated body", "finite elements (scikit-fem)", 1e-2,
-          "the elements': limits of slip at nodes, end of the mesh", slipping, is_long=True, needs="skfem"),
+          "elements: stiffness differentiated over 20 % of a", sticking, needs="skfem"),
+    Check("elements-pressed", "pressure and surface of a coated body",
+          "finite elements (scikit-fem) under the pressure of the library", 2e-3,
+          "elements: cells next to the edge, end of the mesh", pressed, is_long=True, needs="skfem"),
+    Check("elements-inside", "stresses inside a coated body",
+          "finite elements (scikit-fem) under the pressure of the library", 1e-2,
+          "elements: derivatives between nodes", inside, is_long=True, needs="skfem"),
+    Check("elements-slip", "partial slip of a coated body",
+          "finite elements (scikit-fem) under the pressure of the library", 1e-2,
+          "elements: limits of slip at nodes, end of the mesh", slipping, is_long=True, needs="skfem"),
     Check("elements-fitted", "fit of a layer's modulus to stiffnesses", "finite elements (scikit-fem)", 1e-3,
-          "the elements': singular edge, 12 thicknesses", fitted, needs="skfem"),
+          "elements: singular edge, mesh of 12 thicknesses", fitted, needs="skfem"),
 )  # fmt: skip

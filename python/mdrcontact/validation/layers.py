@@ -64,9 +64,9 @@ def _both(name: str, x: Array, one: list[float], of_one: Array, other: list[floa
 
 LAYERS = (
     Check("smooth", "flat punch on a layer that slides on its base", "Lebedev, Ufliand 1958, their equation", 1e-9,
-          "rounding and the library's tolerance", smooth),
+          "rounding and tolerance of the library", smooth),
     Check("springs", "layer on springs", "Hertz 1884; Westergaard 1926, plates", 5e-4,
-          "the plate's: without shear, and as thick as it was", springs),
+          "plate theory: no shear, constant thickness", springs),
     Check("wrinkling", "stress at which a film wrinkles", "Allen 1969; Chen, Hutchinson 2004", 2e-2,
-          "the formulas': of thin and much stiffer films", wrinkling),
+          "formulas: for thin films much stiffer than the base", wrinkling),
 )  # fmt: skip

@@ -63,12 +63,12 @@ LIMITS: tuple[Limit, ...] = (
     Limit("indenters", "exact", "a punch, a = 2 of its radius", lambda: Contact(FlatPunch(1.0), _FILM).at_radius(2.0)),
     Limit("layers, model exact", _EXACT, "a/h = 2e4", lambda: Contact(Paraboloid(1e9), _FILM).at_radius(2e4)),
     Limit("layers, model exact", _EXACT, "tolerance 1e-13", lambda: Coated(_HARD, 1.0, _SOFT, tolerance=1e-13)),
-    Limit("layers with an axis", _EXACT, "C13 so large that a strain yields energy", lambda: TransverselyIsotropic(
+    Limit("transversely isotropic layers", _EXACT, "C13 too large for a positive strain energy", lambda: TransverselyIsotropic(
         10.0, 2.0, 8.0, 10.0, 3.0)),
-    Limit("layers with an axis", _EXACT, "model gao", lambda: Coated(
+    Limit("transversely isotropic layers", _EXACT, "model gao", lambda: Coated(
         TransverselyIsotropic(10.0, 2.0, 3.0, 5.0, 3.0), 1.0, _SOFT, "gao")),
-    Limit("interfaces", _EXACT, "shear of a sheet that slides", lambda: _sheared(_SLIDING).at_shift(0.01)),
-    Limit("prestress", _EXACT, "more than wrinkles the surface", lambda: Layered(
+    Limit("interfaces", _EXACT, "a tangential load on a sliding layer", lambda: _sheared(_SLIDING).at_shift(0.01)),
+    Limit("prestress", _EXACT, "compression beyond the wrinkling stress", lambda: Layered(
         [Layer(Elastic(1000.0, 0.3), 1.0, prestress=-20.0)], _SOFT)),
     Limit("surfaces with tension", "exact, to 1e-9", "compression without a plate", lambda: Contact(
         Paraboloid(1.0), Homogeneous(_SOFT, surface=Surface(tension=-1.0)))),
@@ -89,20 +89,20 @@ LIMITS: tuple[Limit, ...] = (
         Paraboloid(1.0), _RELAXING).at_depth(0.1)),
     Limit("histories of viscoelastic bodies", _EXACT, "a jump onto a power law", lambda: Contact(
         Paraboloid(1.0), _RELAXING).history([0.0, 1.0], depth=[0.1, 0.1])),
-    Limit("gels", "exact at a constant radius", "a contact that moves", lambda: gel_history(
+    Limit("gels", "exact at a constant radius", "a contact radius that changes", lambda: gel_history(
         Contact(Paraboloid(1.0), Homogeneous(_GEL)), [0.0, 1.0, 2.0], depth=[0.1, 0.1, 0.2], drainage="surface")),
     Limit("gels", "exact at a constant radius", "a film, a/h = 5", lambda: Contact(
         FlatPunch(5.0), Coated(_GEL, 1.0, RIGID)).relaxation(1.0, drainage="surface")),
     Limit("conduction", "exact, to 1e-11", "a/h = 2e4", lambda: Conduction(
         LayeredConductor(((Conductor(2.0), 1.0),), Conductor(1.0))).at_radius(2e4)),
-    Limit("conduction", "exact, to 1e-11", "a film in the spot, S R/a = 1e-7", lambda: Conduction(
+    Limit("conduction", "exact, to 1e-11", "a film in the contact area, S R/a = 1e-7", lambda: Conduction(
         Conductor(1.0), film=1e-7).at_radius(1.0)),
     Limit("conduction", "exact, to 1e-11", "an insulating base without a sink", lambda: Conduction(
         LayeredConductor(((Conductor(2.0), 1.0),), INSULATING)).at_radius(1.0)),
     Limit("conduction in time", "to 1e-8", "D t/a^2 = 1e-6", lambda: Conduction(Conductor(1.0, None, 1.0)).step(1e-6, 1.0)),
-    Limit("heat of friction", "exact for a prescribed flux", "a source with v a/D = 2000", lambda: Conduction(
+    Limit("frictional heat", "exact for a prescribed flux", "a source with v a/D = 2000", lambda: Conduction(
         Conductor(1.0, None, 1.0)).friction_heat(_ball().at_radius(0.1), 0.3, 1.0, "moving", 2e4)),
-    Limit("wear", "to the error that each state has", "the body loses more of its coating", lambda: Wear(
+    Limit("wear", "to the error that each state has", "a wear depth beyond a quarter of the coating", lambda: Wear(
         Contact(Paraboloid(1.0), _FILM), 1.0, body_coefficient=1.0).history(force=1.0, places="same").advance(10.0, force=1.0)),
     Limit("wear", "to the error that each state has", "adhesion", lambda: Wear(
         Contact(Paraboloid(1.0), _FILM, work_of_adhesion=1.0), 1.0).limit(_ball().at_radius(0.1), 0.05)),
@@ -126,7 +126,7 @@ def models() -> list[list[str]]:
     for name, model in MODELS.items():
         base = "rigid base only" if model.needs_rigid_base else "any base" if model.allows_rigid_base else "elastic base"
         more = [words for words, holds in (("several layers", model.layers), ("graded", model.graded)) if holds]
-        error = "the equations' own solution" if name == "exact" else f"{100.0 * errors[name]:.2g} %" if name in errors else "-"
+        error = "exact solution" if name == "exact" else f"{100.0 * errors[name]:.2g} %" if name in errors else "-"
         rows.append([name, ", ".join(["one film", *more, base]), error])
     return rows
 

@@ -112,9 +112,9 @@ NORMAL = (
     Check("surface", "displacement outside the contact", "Huber 1904; Johnson 1985, (3.42)", ROUNDING, LIBRARY, surface),
     Check("equal", "coated bodies, exact, of equal materials", "Hertz 1882", ROUNDING, LIBRARY, equal),
     Check("crystals", "transversely isotropic half-space", "Hanson 1992; Delafargue, Ulm 2004", ROUNDING, LIBRARY, with_an_axis),
-    Check("gibson", "power-law graded body", "Gibson 1967", 5e-3, "the limit's: exponent 0.999 instead of 1", gibson),
+    Check("gibson", "power-law graded body", "Gibson 1967", 5e-3, "limit: exponent 0.999 instead of 1", gibson),
     Check("hayes", "flat punch on a bonded layer", "Hayes, Keer, Herrmann, Mockros 1972, table", 1e-2,
-          "the table's: 0.3 and 0.9 % low, finite elements agree with the library to 0.006 %", hayes),
+          "table: 0.3 and 0.9 % low; finite elements agree with the library to 0.006 %", hayes),
     Check("perriot-barthel", "effective modulus of coated bodies", "Perriot, Barthel 2004, fit of their figure",
-          0.1, "the fit's", perriot_barthel),
+          0.1, "fit", perriot_barthel),
 )  # fmt: skip

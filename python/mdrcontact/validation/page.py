@@ -6,14 +6,17 @@ from __future__ import annotations
 import importlib
 import importlib.util
 import io
+import platform
 import re
 import unicodedata
+from collections import Counter
 from collections.abc import Sequence
 from importlib import metadata
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from .. import __version__
 from .._text import html_table
 from ..instruments.fitting import report
 from ..panels import Axis, Figure, Line, Panel
@@ -32,6 +35,7 @@ class Row(NamedTuple):
     check: Check
     found: Comparison | None
     why_not: str = ""
+    """why it was not run"""
 
     @property
     def holds(self) -> bool:
@@ -40,7 +44,9 @@ class Row(NamedTuple):
 
     def cells(self) -> list[str]:
         """Cells of a row of the table."""
-        deviation = self.why_not if self.found is None else f"{self.found.deviation:.1e}" + ("" if self.holds else " BEYOND")
+        deviation = (
+            f"not run: {self.why_not}" if self.found is None else f"{self.found.deviation:.1e}" + ("" if self.holds else " BEYOND")
+        )
         one = self.check
         return [one.capability, one.source, deviation, f"{one.error:.0e}", one.whose, f"{COMMAND} {one.name}"]
 
@@ -53,9 +59,9 @@ def run(checks: Sequence[Check], full: bool) -> list[Row]:
     rows = []
     for check in checks:
         if check.needs and not is_installed(check.needs):
-            rows.append(Row(check, None, f"not run: {PROGRAMS[check.needs]} is not installed"))
+            rows.append(Row(check, None, f"{PROGRAMS[check.needs]} is not installed"))
         elif check.is_long and not full:
-            rows.append(Row(check, None, "not run: --full"))
+            rows.append(Row(check, None, "--full"))
         else:
             rows.append(Row(check, check.run()))
     return rows
@@ -67,14 +73,22 @@ def is_installed(module: str) -> bool:
 
 
 def programs() -> list[str]:
-    """A sentence for each program of others."""
-    words = []
-    for module, name in PROGRAMS.items():
+    """Return the versions of the library, of Python and of the installed programs of others."""
+    words = [f"mdrcontact {__version__}", f"Python {platform.python_version()}"]
+    for module, name in {"numpy": "NumPy", **PROGRAMS}.items():
         try:
             words.append(f"{name} {metadata.version(name)}")
         except metadata.PackageNotFoundError:
-            words.append(f"{name} is " + ("there, of unknown version" if is_installed(module) else "not installed"))
+            words += [f"{name} of unknown version"] * is_installed(module)
     return words
+
+
+def counted(rows: Sequence[Row]) -> list[str]:
+    """Return the number of comparisons that did not run with the reasons, if any, and last the number of those that hold."""
+    were_run = [row for row in rows if row.found is not None]
+    reasons = Counter(row.why_not for row in rows if row.found is None)
+    left = [f"{len(rows) - len(were_run)} of {len(rows)} not run: {', '.join(f'{n} ({why})' for why, n in reasons.items())}"]
+    return left * bool(reasons) + [f"{sum(row.holds for row in were_run)} of {len(were_run)} within their bounds"]
 
 
 def sections(rows: Sequence[Row]) -> list[tuple[Group, list[Row]]]:
@@ -91,7 +105,7 @@ def html(rows: Sequence[Row]) -> str:
         if is_installed("matplotlib") and any(row.found for row in held):
             blocks.append(report.picture(figure(held), group.title))
         blocks.append(html_table([TITLES, *(row.cells() for row in held)]))
-    blocks += [report.paragraph(f"Programs: {', '.join(programs())}.")]
+    blocks += [report.paragraph(f"{words}.") for words in (f"Programs: {', '.join(programs())}", *counted(rows))]
     for title, table in limits.tables():
         blocks += [report.heading(title), html_table(table)]
     return report.page("Validation", blocks)
@@ -138,27 +152,48 @@ def cited(source: str) -> str:
 
 def markdown(rows: Sequence[Row]) -> str:
     """Tables and pictures as a page of the guide."""
-    held = sum(row.holds and row.found is not None for row in rows)
-    parts = [
-        "# Validation",
-        "",
-        "This page compares the library with closed forms, published tables and other programs, none of which shares code with it.",
-        f"**{held} of {len(rows)} comparisons** are within the bound, the known error of the reference or of the library.",
-        "`mdrcontact validate --full --markdown FILE` writes this page, and the command in a row repeats its comparison.",
-        '`pip install "mdrcontact[validate]"` installs the other programs.',
-        "",
-    ]
+    parts = ["# Validation", "", *_opening(rows)]
     for group, some in sections(rows):
         cells = [
-            [quantity, cited(source), *numbers, f"`{command}`"]
-            for quantity, source, *numbers, command in (row.cells() for row in some)
+            [quantity, cited(source), deviation + _mark(row), *others, f"`{command}`"]
+            for row, (quantity, source, deviation, *others, command) in zip(some, (row.cells() for row in some), strict=True)
         ]
         picture = f"![{group.title}: comparison with other sources](pictures/validation_{group.name}.png)<br>{CAPTION}"
-        parts += [f"## {group.title}", "", picture, "", *_table([TITLES, *cells]), ""]
-    parts += [f"Programs: {', '.join(programs())}."]
+        files = sorted({f"`python/{check.run.__module__.replace('.', '/')}.py`" for check in group.checks})
+        parts += ["", f"## {group.title}", "", picture, "", *_table([TITLES, *cells]), "", f"Parameters: {', '.join(files)}."]
     for title, table in limits.tables():
         parts += ["", f"## {title}", "", *_table(table)]
     return "\n".join([*parts, ""])
+
+
+def _opening(rows: Sequence[Row]) -> list[str]:
+    """Return the result, what the columns mean, and how to repeat and cite it."""
+    *left, held = counted(rows)
+    return [
+        f"This page compares mdrcontact {__version__} with closed forms, published tables and other programs.",
+        "The references share no code with the library. A row names what its reference takes from the library.",
+        f"**Result: {held}.** {''.join(f'{words}.' for words in left)}".rstrip(),
+        "",
+        "* **Largest deviation**: the largest |L - R|/S over all points of the figure, with L of the library and R of the",
+        "  reference. S is |R| of the point. A star marks rows in which values pass near zero. Their S is one value for all",
+        "  points, such as the largest pressure.",
+        "* **Bound**: the deviation that the known error of the reference or of the library explains. The next column names",
+        "  this error. `mdrcontact validate` fails if a deviation exceeds its bound.",
+        "* **Parameters**: below each table, the files with all input values and reference formulas.",
+        "",
+        "`mdrcontact validate --full --markdown FILE` writes this page. The command in a row repeats its comparison.",
+        '`pip install "mdrcontact[validate]"` installs the other programs. The numbers come from these versions:',
+        f"{', '.join(programs())}.",
+        "Deviations near 1e-15 are rounding errors and vary with compiler and processor.",
+        "",
+        "To cite a comparison, cite the library as `CITATION.cff` describes, with its version and the name after `--only`.",
+        "The names keep their meaning within a minor version. Sources are in the [bibliography](bibliography.md).",
+    ]
+
+
+def _mark(row: Row) -> str:
+    """Return a star if the deviations are relative to one value."""
+    return " *" if row.found is not None and np.ndim(row.found.scale) == 0 else ""
 
 
 def _table(rows: Sequence[Sequence[str]]) -> list[str]:

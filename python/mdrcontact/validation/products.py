@@ -93,7 +93,7 @@ def gao() -> Comparison:
 
 
 PRODUCTS = (
-    Check("law", "compiled law, force and energy", "Hertz 1882", _TOLERANCE, "the law's tolerance", law),
+    Check("law", "compiled law, force and energy", "Hertz 1882", _TOLERANCE, "tolerance of the law", law),
     Check("fit-hertz", "fit of modulus and offset", "Hertz 1882", 1e-6, LIBRARY, fit_hertz),
     Check("fit-jkr", "fit of modulus and work of adhesion", "Johnson, Kendall, Roberts 1971", 1e-6, LIBRARY, fit_jkr),
     Check(
@@ -101,9 +101,9 @@ PRODUCTS = (
         "compiled law with friction, 32 sliders",
         "Cattaneo 1938; Mindlin 1949",
         5e-3,
-        "the law's, which it states",
+        "error bound that the law states",
         friction_law,
     ),
     Check("oliver-pharr", "modulus and hardness of an indentation", "Hertz 1882; Oliver, Pharr 1992", 1e-6, LIBRARY, instrumented),
-    Check("gao", "effective modulus of a composite: a layer", "Gao, Chiu, Lee 1992", 1e-5, "the quadrature's tolerance", gao),
+    Check("gao", "effective modulus of a composite, a layer", "Gao, Chiu, Lee 1992", 1e-5, "tolerance of the quadrature", gao),
 )

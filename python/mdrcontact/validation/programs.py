@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import importlib
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ import numpy as np
 from ..contact import Contact
 from ..material import RIGID, Elastic
 from ..medium import Homogeneous, Layered
-from ..profile import Paraboloid, PowerLaw, Profile
+from ..profile import Paraboloid, PowerLaw
 from .check import Array, Check, Comparison, comparison
 
 _GRID = 128
@@ -21,10 +22,15 @@ _REPEAT = 256
 """The same where the surface repeats itself, beyond the reach of a layer."""
 
 
-def _heights(side: float, points: int, tip: Profile) -> Array:
-    """The tip's height over the points of a grid, whose middle is its apex."""
+def _ball(r: Array) -> Array:
+    """Height of `Paraboloid(1.0)`."""
+    return 0.5 * r**2
+
+
+def _heights(side: float, points: int, shape: Callable[[Array], Array] = _ball) -> Array:
+    """Height of an indenter over the points of a grid, whose middle is its apex."""
     x = (np.arange(points) - points // 2) * side / points
-    return np.asarray(tip.height(np.hypot(x[:, None], x).ravel())).reshape(points, points)
+    return shape(np.hypot(x[:, None], x))
 
 
 def tamaas() -> Comparison:
@@ -32,14 +38,14 @@ def tamaas() -> Comparison:
     module: Any = importlib.import_module("tamaas")
     module.set_log_level(module.LogLevel.error)
     here, there = [], []
-    for tip, radii in ((Paraboloid(1.0), (0.05, 0.1)), (PowerLaw(4.0, 1.0), (0.1, 0.2))):
+    for tip, shape, radii in ((Paraboloid(1.0), _ball, (0.05, 0.1)), (PowerLaw(4.0, 1.0), lambda r: r**4, (0.1, 0.2))):
         contact = Contact(tip, Homogeneous(Elastic(1.0, 0.0)))
         for a in radii:
             state, side = contact.at_radius(a), 2.5 * a
             model = module.ModelFactory.createModel(module.model_type.basic_2d, [side, side], [_GRID, _GRID])
             model.E, model.nu = 1.0, 0.0
             module.ModelFactory.registerNonPeriodic(model, "dcfft")
-            surface = -_heights(side, _GRID, tip)
+            surface = -_heights(side, _GRID, shape)
             solver = module.PolonskyKeerRey(model, surface, 1e-9)
             solver.setIntegralOperator("dcfft")
             solver.solve(float(state.force) / side**2)
@@ -57,7 +63,7 @@ def half_space() -> Comparison:
     there = []
     for d in depths:
         side = 4.0 * float(np.sqrt(d))
-        there.append(_press(substrate_of((_COARSE, _COARSE), 1.0, (side, side)), -_heights(side, _COARSE, tip), side, d))
+        there.append(_press(substrate_of((_COARSE, _COARSE), 1.0, (side, side)), -_heights(side, _COARSE), side, d))
     return comparison("d/R", depths, Contact(tip, Homogeneous(Elastic(1.0, 0.0))).at_depth(depths).force, there)
 
 
@@ -73,7 +79,7 @@ def layer() -> Comparison:
         k[0, 0] = 1e-6 * k[1, 0]  # the mean pressure compresses a layer on a rigid base
         substrate.greens_function = np.asfortranarray(body.compliance(k))
         substrate.surface_stiffness = 1.0 / substrate.greens_function
-        there.append(_press(substrate, -_heights(side, _REPEAT, tip), side, d))
+        there.append(_press(substrate, -_heights(side, _REPEAT), side, d))
     return comparison("d/R, h = 0.3 R", depths, Contact(tip, body).at_depth(depths).force, there)
 
 
@@ -88,9 +94,10 @@ def _press(substrate: Any, surface: Array, side: float, depth: float) -> float:
 
 PROGRAMS = (
     Check("tamaas", "depth under a force, ball and r^4", "boundary elements (tamaas)", 2e-3,
-          "the grid's: 128 x 128 points", tamaas, needs="tamaas"),
+          "grid of 128 x 128 points", tamaas, needs="tamaas"),
     Check("half-space", "force at a depth, ball", "boundary elements (ContactMechanics)", 2e-3,
-          "the grid's: 128 x 128 points", half_space, needs="ContactMechanics"),
-    Check("layer", "force at a depth, ball on a bonded layer", "boundary elements (ContactMechanics)", 1e-3,
-          "the grid's: 256 x 256 points that repeat themselves", layer, is_long=True, needs="ContactMechanics"),
+          "grid of 64 x 64 points", half_space, needs="ContactMechanics"),
+    Check("layer", "force at a depth, ball on a bonded layer",
+          "boundary elements (ContactMechanics) with the compliance of the library", 1e-3,
+          "periodic grid of 256 x 256 points", layer, is_long=True, needs="ContactMechanics"),
 )  # fmt: skip

@@ -104,7 +104,7 @@ RELAXING = (
     Check("ting", "viscoelastic contact that shrinks", "Ting 1966", 1e-7, LIBRARY, ting),
     Check("oscillation", "dynamic stiffness", "Findley, Lai, Onaran 1976", 1e-8, LIBRARY, oscillation),
     Check("biot", "poroelastic gel, first and last force", "Biot 1941", 5e-4,
-          "the limits': the rest of sqrt(D t)/a and its inverse at 1e-8 and 1e8 a^2/D", biot),
+          "limits: next terms, sqrt(D t)/a and its inverse, at t = 1e-8 and 1e8 a^2/D", biot),
     Check("lai-hu", "poroelastic gel under a flat punch", "Lai, Hu 2017, fit of finite elements", 2e-3,
-          "the fit's: four terms", lai_hu),
+          "fit with four terms", lai_hu),
 )  # fmt: skip

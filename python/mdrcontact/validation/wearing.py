@@ -53,7 +53,7 @@ def running_in() -> Comparison:
 WEARING = (
     Check("limit", "force where fretting ends", "Popov 2014; Dimaki et al. 2014", 1e-8, LIBRARY, limit),
     Check("worn", "worn profile where fretting ends", "Popov 2014; Dimaki et al. 2014", 1e-10, LIBRARY, worn_profile),
-    Check("running-in", "running-in length of a flat punch", "Kwasnicki 2012, an eigenvalue", 1e-9, "the printed digits",
+    Check("running-in", "running-in length of a flat punch", "Kwasnicki 2012, eigenvalue", 1e-9, "the printed digits",
           running_in),
-    Check("archard", "worn volume of a sliding ball", "Archard 1953", 5e-4, "the library's: 80 intervals", archard),
+    Check("archard", "worn volume of a sliding ball", "Archard 1953", 5e-4, "80 intervals of the library", archard),
 )  # fmt: skip

@@ -158,7 +158,7 @@ def cut() -> Comparison:
     return comparison("H/p0", part, here, there)
 
 
-_FIT, _ELEMENT = "the fit's", "finite elements, theory of plasticity"
+_FIT, _ELEMENT = "fit", "finite elements, theory of plasticity"
 
 YIELDING = (
     Check("kogut-etsion", "force of a sphere beyond yield", "Kogut, Etsion 2002, fit", 5e-2, _FIT, kogut_etsion_force),
@@ -167,11 +167,11 @@ YIELDING = (
     Check(
         "jackson-green-area", "contact area of a sphere beyond yield", "Jackson, Green 2005, fit", 5e-2, _FIT, jackson_green_area
     ),
-    Check("virgin", "mean pressure of a paraboloid beyond yield", _ELEMENT, 1e-2, "that of 24 to 48 elements", virgin),
+    Check("virgin", "mean pressure of a paraboloid beyond yield", _ELEMENT, 1e-2, "24 to 48 elements", virgin),
     Check(
-        "overload", "force on a film that yields, overload rule", _ELEMENT, 7e-2, "the rule's, 5e-2, and 10 to 32 elements", film
+        "overload", "force on a film that yields, overload rule", _ELEMENT, 7e-2, "overload rule, 5e-2, and 10 to 32 elements", film
     ),
     Check("imprint", "unloading from a uniform pressure", "Mesarovic, Johnson 2000", ROUNDING, LIBRARY, uniform_imprint),
-    Check("cap", "force under a pressure cap that is not reached", "Hertz 1882", 1e-6, "the library's: 96 intervals", cap),
-    Check("truncated", "force of a truncated pressure", "Thornton 1997", 1e-8, "rounding and the quadrature", cut),
+    Check("cap", "force under a pressure cap that is not reached", "Hertz 1882", 1e-6, "96 intervals of the library", cap),
+    Check("truncated", "force of a truncated pressure", "Thornton 1997", 1e-8, "rounding and quadrature", cut),
 )
