@@ -71,6 +71,9 @@ if command -v pkg-config > /dev/null; then
     cc tests/export/project/main.c $(PKG_CONFIG_PATH=$(place_of pkgconfig_dir) pkg-config --cflags --libs mdrcontact) -lm \
         -o "$place/by_pkg_config"
     "$place/by_pkg_config"
+    # shellcheck disable=SC2046
+    cc -std=c11 tests/c/test_abi.c $(PKG_CONFIG_PATH=$(place_of pkgconfig_dir) pkg-config --cflags --libs mdrcontact) -ldl \
+        -o "$place/abi" && "$place/abi" || give_up "Programs compiled against the last release do not run with this library."
 fi
 unset LD_LIBRARY_PATH
 
