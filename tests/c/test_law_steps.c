@@ -113,7 +113,7 @@ int main(void)
             double *record = before + SIZE * i;
             CHECK_INT(begun_of_test(LEVELS, SLIDERS, 7.0, record), 1);
             record[(int)(SIZE * uniform())] = NAN;
-            CHECK_INT(begun_of_test(LEVELS, SLIDERS, 7.0, record), begun_of_2(&of, 7.0, record));
+            CHECK_INT(begun_of_test(LEVELS, SLIDERS, 7.0, record), NARROW(begun)(&of, 7.0, record));
         }
     }
     return check_report("law_steps");

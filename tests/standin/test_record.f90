@@ -78,7 +78,7 @@ contains
             write (output_unit, "(3(a, i0))") "Tests run: ", tests_run, ", Failures: ", tests_failed, &
                 ", Errors: 0, Disabled: ", tests_disabled
             flush (output_unit)
-            stop 1, quiet=.true.
+            stop 1
         end if
         write (output_unit, "(/, a)") " OK"
         if (tests_disabled > 0) then
