@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The header's macros, fpm.toml, CITATION.cff, recipes/ and the newest heading of CHANGELOG.md against the project's version.
+# The header's macros, fpm.toml, CITATION.cff, recipes/ and the newest heading of CHANGELOG.md against the project's version, and the
+# date of a release.
 string(REPLACE "." ";" parts "${version}")
 string(REPLACE "." "\\." pattern "${version}")
 
@@ -24,4 +25,8 @@ file(STRINGS "${source_dir}/CHANGELOG.md" headings REGEX "^## ")
 list(GET headings 0 newest)
 if(NOT newest MATCHES "^## \\[${pattern}\\] - (unreleased|[0-9][0-9][0-9][0-9]-[0-9][0-9]-[0-9][0-9])$")
   message(FATAL_ERROR "CHANGELOG.md: the newest heading is \"${newest}\"; the version is ${version}")
+endif()
+# a released version is cited with its date
+if(NOT CMAKE_MATCH_1 STREQUAL "unreleased")
+  expect(CITATION.cff "date-released: ${CMAKE_MATCH_1}")
 endif()
