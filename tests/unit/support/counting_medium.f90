@@ -7,8 +7,13 @@ module counting_medium
     private
     public :: counter_t, counting_medium_t
 
+    !> Reset and read by calls: gfortran 14 to 16 assume that what a medium reaches by a pointer remains, where the medium is passed
+    !> as `class(solver_t), intent(in)`, and then omit a reset and repeat an earlier value.
     type :: counter_t
-        integer :: solutions = 0
+        integer, private :: solutions = 0
+    contains
+        procedure :: restart
+        procedure :: counted
     end type counter_t
 
     type, extends(solver_t) :: counting_medium_t
@@ -21,6 +26,21 @@ module counting_medium
     end type counting_medium_t
 
 contains
+
+    !> Counts from 0 again.
+    subroutine restart(self)
+        class(counter_t), intent(inout) :: self
+
+        self%solutions = 0
+    end subroutine restart
+
+    !> Solutions since then.
+    function counted(self)
+        class(counter_t), intent(in) :: self
+        integer :: counted
+
+        counted = self%solutions
+    end function counted
 
     subroutine modulus(self, a, values, error, slopes)
         class(counting_medium_t), intent(in) :: self
