@@ -12,7 +12,7 @@ module reference_tables
     use mdrcontact_profile_power_law, only: new_cone, new_paraboloid, new_power_law, power_law_t
     implicit none (type, external)
     private
-    public :: line_length, read_table, split, numbers_of, layers_of, new_table_medium, new_table_profile
+    public :: line_length, read_table, split, numbers_of, number_after, layers_of, new_table_medium, new_table_profile
 
     integer, parameter :: line_length = 512, most_layers = 8
     real(wp), parameter :: eighth_turn = atan(1.0_wp)
@@ -70,6 +70,16 @@ contains
         end do
         read (spaced, *) values
     end subroutine numbers_of
+
+    !> The number behind a name such as "a=", up to a blank or a semicolon, which list-directed input does not take as a separator.
+    function number_after(text, name) result(number)
+        character(len=*), intent(in) :: text, name
+        real(wp) :: number
+        real(wp) :: values(1)
+
+        call numbers_of(text(index(text, name) + len(name):), ";", values)
+        number = values(1)
+    end function number_after
 
     !> Layers "h:modulus:nu; ..." from the surface down; none for a blank or "-".
     subroutine layers_of(text, thickness, moduli, poisson)
