@@ -6,7 +6,7 @@
 !> of the compliance, whose transform is 1/Q: theory/time.md (1.1)-(1.4).
 module mdrcontact_material_prony
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_lapack, only: dsyev
+    use mdrcontact_numerics_one_thread, only: find_eigenvalues
     implicit none (type, external)
     private
     public :: prony_t, creep_t, creep_of, power_law_series, merged, risen
@@ -223,7 +223,7 @@ contains
         type(prony_t), intent(inout) :: series
         real(wp), intent(in) :: longest
         integer, parameter :: few = 6
-        real(wp) :: matrix(few, few), nodes(few), work(34*few)
+        real(wp) :: matrix(few, few), nodes(few)
         real(wp), allocatable :: vectors(:, :), next(:)
         integer :: slow, i, info
 
@@ -242,7 +242,7 @@ contains
             vectors(:, i + 1) = next/matrix(i, i + 1)
         end do
         matrix(few, few) = dot_product(vectors(:, few), series%rate(:slow)*vectors(:, few))
-        call dsyev("V", "U", few, matrix, few, nodes, work, size(work), info)
+        call find_eigenvalues(.true., matrix, nodes, info)
         if (info /= 0 .or. .not. nodes(1) > 0.0_wp) return
         series%weight = [sum(series%weight(:slow))*matrix(1, :)**2, series%weight(slow + 1:)]
         series%rate = [nodes, series%rate(slow + 1:)]

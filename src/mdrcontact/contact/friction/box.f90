@@ -6,7 +6,8 @@
 module mdrcontact_friction_box
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_lapack, only: dpotrf, dpotrs
+    use mdrcontact_lapack, only: dpotrs
+    use mdrcontact_numerics_one_thread, only: factorize_positive
     implicit none (type, external)
     private
     public :: minimise_in_box
@@ -74,7 +75,7 @@ contains
             factor(j:, j) = c(index(j:), index(j))
         end do
         step(:, 1) = -gradient(index)
-        call dpotrf("L", n, factor, n, info)
+        call factorize_positive(n, n, factor, info)
         if (info == 0) call dpotrs("L", n, 1, factor, n, step, n, info)
         if (info /= 0) then
             call raise(error, error_no_convergence, "rings: they are too narrow. Use fewer rings")

@@ -13,7 +13,7 @@ module mdrcontact_inside_transform
     use mdrcontact_numerics_waves, only: block => panel_nodes
     use mdrcontact_gsl, only: gsl_sort_index
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_lapack, only: dgemv
+    use mdrcontact_numerics_one_thread, only: add_times
     use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
     implicit none (type, external)
     private
@@ -164,10 +164,8 @@ contains
 
         n = size(part)
         if (n == 0) return
-        call dgemv("T", n, size(values), 1.0_wp, waves%cosine, size(waves%cosine, 1), part*waves%first_sine(:n), 1, &
-                   1.0_wp, values, 1)
-        call dgemv("T", n, size(values), 1.0_wp, waves%sine, size(waves%sine, 1), part*waves%first_cosine(:n), 1, &
-                   1.0_wp, values, 1)
+        call add_times("T", n, size(values), 1.0_wp, waves%cosine, size(waves%cosine, 1), part*waves%first_sine(:n), values)
+        call add_times("T", n, size(values), 1.0_wp, waves%sine, size(waves%sine, 1), part*waves%first_cosine(:n), values)
     end subroutine add_short
 
     !> Adds the integrals over panels of many waves, those after the short ones. j_n comes from those before it: rounding grows

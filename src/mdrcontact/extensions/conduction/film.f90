@@ -14,7 +14,7 @@ module mdrcontact_conduction_film
     use mdrcontact_line_rule, only: largest_rule, new_rule, rule_t
     use mdrcontact_line_series, only: add_projections
     use mdrcontact_numerics_even_waves, only: highest_order
-    use mdrcontact_numerics_one_thread, only: add_product, solve_complex
+    use mdrcontact_numerics_one_thread, only: add_product, solve_system => solve
     use mdrcontact_numerics_waves, only: wave_rule
     implicit none (type, external)
     private
@@ -180,7 +180,7 @@ contains
             leading = matrix(:m, :m)
             solution = 0.0_wp
             solution(1) = 0.5_wp*a**2
-            call solve_complex(m, leading, solution, info)
+            call solve_system(leading, solution(:m), info)
             if (info /= 0) then
                 call raise(error, error_no_convergence, "the contributions of the layers nearly cancel at contact radius "// &
                            to_text(real(a, wp)))

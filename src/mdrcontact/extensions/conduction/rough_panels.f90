@@ -15,12 +15,12 @@ module mdrcontact_conduction_rough_panels
     use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_error, only: error_domain, error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: half_pi, pi, wp
-    use mdrcontact_lapack, only: dgemm
     use mdrcontact_line_legendre, only: interaction_matrix, normalisation
     use mdrcontact_line_moments, only: is_smooth
     use mdrcontact_line_rule, only: new_rule, rule_t
     use mdrcontact_line_series, only: add_projections
     use mdrcontact_line_solve, only: factorize, first_unknowns, solve_lower
+    use mdrcontact_numerics_one_thread, only: add_product
     use mdrcontact_numerics_quadrature, only: legendre
     implicit none (type, external)
     private
@@ -353,8 +353,8 @@ contains
         do i = 1, size(t)
             scaled(:, i) = weight(i)*flux(:, i)
         end do
-        call dgemm("N", "T", size(flux, 1), size(flux, 1), size(t), 1.0_wp, scaled, size(flux, 1), flux, size(flux, 1), 1.0_wp, &
-                   matrix, size(flux, 1))
+        call add_product("N", "T", size(flux, 1), size(flux, 1), size(t), 1.0_wp, scaled, size(flux, 1), flux, size(flux, 1), &
+                         1.0_wp, matrix, size(flux, 1))
     end subroutine add_resistance
 
     !> j of each polynomial at each node.

@@ -9,7 +9,7 @@ module mdrcontact_conduction_transient
     use mdrcontact_error, only: error_domain, error_no_convergence, error_t, raise, to_text
     use mdrcontact_gsl, only: gsl_sf_bessel_j1
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_numerics_one_thread, only: solve_complex
+    use mdrcontact_numerics_one_thread, only: solve
     use mdrcontact_numerics_waves, only: basis_t, new_basis, wave_rule
     implicit none (type, external)
     private
@@ -78,7 +78,7 @@ contains
         end do
         c = 0.0_wp
         c(1) = 1.0_wp
-        call solve_complex(n, matrix, c, info)
+        call solve(matrix, c, info)
         if (info /= 0) then
             call raise(error, error_no_convergence, "the transient conductance of a contact area was not found")
             return

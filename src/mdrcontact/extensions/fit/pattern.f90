@@ -9,7 +9,7 @@ module mdrcontact_fit_pattern
     use mdrcontact_fit_order, only: ascending
     use mdrcontact_fit_spectrum, only: new_spectrum, products, spectrum_t
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_lapack, only: dsyev
+    use mdrcontact_numerics_one_thread, only: find_eigenvalues
     implicit none (type, external)
     private
     public :: difference_test, pattern_test
@@ -41,7 +41,7 @@ contains
         real(wp), intent(in) :: jacobian(:, :), prior_jacobian(:, :)
         real(wp), intent(out) :: probability
         real(wp) :: root(size(residuals), size(residuals)), form(size(residuals), size(residuals)), eigenvalues(size(residuals))
-        real(wp) :: work(34*size(residuals)), ratio
+        real(wp) :: ratio
         type(spectrum_t) :: spectrum
         integer :: i, n, info
 
@@ -55,13 +55,13 @@ contains
         do i = 1, n
             root(i, i) = root(i, i) + 1.0_wp
         end do
-        call dsyev("V", "U", n, root, n, eigenvalues, work, size(work), info)
+        call find_eigenvalues(.true., root, eigenvalues, info)
         if (info /= 0) return
         do i = 1, n
             root(:, i) = root(:, i)*sqrt(max(eigenvalues(i), 0.0_wp))
         end do
         form = products(root(2:, :) - root(:n - 1, :)) - ratio*products(root)
-        call dsyev("N", "U", n, form, n, eigenvalues, work, size(work), info)
+        call find_eigenvalues(.false., form, eigenvalues, info)
         if (info /= 0) return
         associate (left => pack(eigenvalues, abs(eigenvalues) > smallest_form*maxval(abs(eigenvalues))))
             if (size(left) >= 2) probability = negative_form(left)

@@ -2,7 +2,7 @@
 !> Normal matrices by their spectrum: inverses, weak directions and the gain of a Newton step, however nearly singular.
 module mdrcontact_fit_spectrum
     use mdrcontact_kinds, only: wp
-    use mdrcontact_lapack, only: dsyev
+    use mdrcontact_numerics_one_thread, only: find_eigenvalues
     implicit none (type, external)
     private
     public :: spectrum_t, new_spectrum, newton_decrement, products
@@ -32,11 +32,10 @@ contains
     function new_spectrum(matrix) result(self)
         real(wp), intent(in) :: matrix(:, :)
         type(spectrum_t) :: self
-        real(wp), allocatable :: work(:)
         integer :: i, j, n, info
 
         n = size(matrix, 1)
-        allocate (self%scale(n), self%eigenvalues(n), self%vectors(n, n), work(max(1, 34*n)))
+        allocate (self%scale(n), self%eigenvalues(n), self%vectors(n, n))
         do i = 1, n
             self%scale(i) = sqrt(matrix(i, i))
             if (.not. self%scale(i) > 0.0_wp) self%scale(i) = 1.0_wp
@@ -44,7 +43,7 @@ contains
         do j = 1, n
             self%vectors(:, j) = matrix(:, j)/(self%scale*self%scale(j))
         end do
-        call dsyev("V", "U", n, self%vectors, n, self%eigenvalues, work, size(work), info)
+        call find_eigenvalues(.true., self%vectors, self%eigenvalues, info)
         if (info /= 0) self%eigenvalues = 0.0_wp
     end function new_spectrum
 

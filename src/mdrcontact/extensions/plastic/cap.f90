@@ -11,10 +11,10 @@ module mdrcontact_plastic_cap
     use mdrcontact_error, only: check_made, check_memory, check_not_negative, check_positive, check_within, &
                                 error_domain, error_invalid, error_no_convergence, error_t, raise, raise_at, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
-    use mdrcontact_lapack, only: dgemv, dgesv
     use mdrcontact_medium_hats, only: find_heights, hats_t, line_compliance, new_hats
     use mdrcontact_medium_solver, only: check_springs
     use mdrcontact_nonfinite, only: is_finite
+    use mdrcontact_numerics_one_thread, only: add_times, solve_system => solve
     use mdrcontact_numerics_search, only: interval_of
     use mdrcontact_plastic_radius_search, only: by_depth, by_radius, check_given, find_radius, miss_t
     implicit none (type, external)
@@ -323,7 +323,7 @@ contains
             call solve(matrix, areas, heights, self%hardness, capped, disc%pressure, disc%values(1), error)
             if (allocated(error)) return
             gap = heights - areas*disc%values(1)
-            call dgemv("N", n + 1, n + 1, 1.0_wp, matrix, n + 1, disc%pressure, 1, 1.0_wp, gap, 1)
+            call add_times("N", n + 1, n + 1, 1.0_wp, matrix, n + 1, disc%pressure, gap)
             wrong = merge(gap > rounding*areas*disc%values(1), disc%pressure > self%hardness*(1.0_wp + rounding), capped)
             if (.not. any(wrong)) exit
             call exchange(wrong, fewest, tries, capped)
@@ -373,7 +373,7 @@ contains
         real(wp), intent(out) :: depth
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: system(:, :), unknowns(:)
-        integer, allocatable :: free(:), pivots(:)
+        integer, allocatable :: free(:)
         integer :: i, info, m, n
 
         n = ubound(areas, 1)
@@ -384,8 +384,7 @@ contains
         system = matrix(free, free)
         ! the last one is that of the edge, whose unknown is the depth
         system(:, m) = -areas(free)
-        allocate (pivots(m))
-        call dgesv(m, 1, system, m, pivots, unknowns, m, info)
+        call solve_system(system, unknowns, info)
         depth = 0.0_wp
         if (info /= 0) then
             call raise(error, error_no_convergence, "the pressure under a cap was not found: the system is singular")

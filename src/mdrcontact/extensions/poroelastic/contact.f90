@@ -10,7 +10,7 @@ module mdrcontact_poroelastic_contact
     use mdrcontact_body_film, only: film_t, new_film
     use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_one_thread, only: solve_complex
+    use mdrcontact_numerics_one_thread, only: solve
     use mdrcontact_numerics_waves, only: basis_t
     use mdrcontact_poroelastic_gel, only: gel_t, sealed_by_indenter
     use mdrcontact_poroelastic_kernel, only: surface_flux, relative_compliance
@@ -94,7 +94,7 @@ contains
         system = matrix
         call add_to_diagonal(system, 1.0_wp)
         w(:2) = shape
-        call solve_complex(size(w), system, w, info)
+        call solve(system, w, info)
         if (info /= 0) call raise(error, error_no_convergence, "the contact of a gel could not be solved")
     end subroutine solve_shape
 

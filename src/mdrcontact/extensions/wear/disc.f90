@@ -12,8 +12,8 @@
 module mdrcontact_wear_disc
     use mdrcontact_error, only: error_domain, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_lapack, only: dgesv
     use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_numerics_one_thread, only: solve
     use mdrcontact_profile, only: profile_t
     use mdrcontact_medium_hats, only: hat_points, hats_t, line_compliance
     use mdrcontact_wear_history_on_disc, only: disc_t, wear_history_on_disc_t, new_wear_history_on_disc
@@ -192,7 +192,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: matrix(0:hats%n, 0:hats%n), system(0:hats%n, 0:hats%n), rhs(0:hats%n), share_at_nodes(0:hats%n), modulus
         real(wp), dimension(hat_points, hats%n) :: height, load, share, further, unused
-        integer :: pivots(hats%n + 1), info, round, n
+        integer :: info, round, n
         real(wp) :: exponent
 
         n = hats%n
@@ -209,7 +209,7 @@ contains
             system = matrix
             call add_wear(hats, rate, load, further, share, a, height, system, rhs)
             system(:, n) = -hats%areas*a**2
-            call dgesv(n + 1, 1, system, n + 1, pivots, rhs, n + 1, info)
+            call solve(system, rhs, info)
             if (info /= 0) then
                 call raise(error, error_no_convergence, "the pressure of a worn contact was not found: the system is singular")
                 return

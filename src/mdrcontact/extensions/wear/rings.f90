@@ -11,8 +11,8 @@
 module mdrcontact_wear_rings
     use mdrcontact_error, only: error_domain, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_lapack, only: dgemv, dgesv
     use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_numerics_one_thread, only: add_times, solve
     use mdrcontact_profile, only: profile_t
     use mdrcontact_medium_hats, only: find_heights, hats_t, line_compliance
     use mdrcontact_wear_history_on_disc, only: disc_t
@@ -146,7 +146,7 @@ contains
             call press(matrix, areas, known, sliding*k*areas, by_depth, target, touching, pressure, depth, error)
             if (allocated(error)) return
             gap = known - areas*depth
-            call dgemv("N", n + 1, n + 1, 1.0_wp, matrix, n + 1, pressure, 1, 1.0_wp, gap, 1)
+            call add_times("N", n + 1, n + 1, 1.0_wp, matrix, n + 1, pressure, gap)
             wrong = (touching .and. pressure < -rounding*maxval(abs(pressure))) &
                     .or. (.not. touching .and. reachable .and. gap < -rounding*areas*abs(depth))
             next = sliding*max(pressure, 0.0_wp)
@@ -229,12 +229,12 @@ contains
         real(wp), intent(out) :: depth
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: system(:, :), unknowns(:)
-        integer, allocatable :: rings(:), pivots(:)
+        integer, allocatable :: rings(:)
         integer :: i, m, info
 
         rings = pack([(i, i=0, ubound(areas, 1))], touching)
         m = size(rings)
-        allocate (system(m + 1, m + 1), unknowns(m + 1), pivots(m + 1))
+        allocate (system(m + 1, m + 1), unknowns(m + 1))
         system(:m, :m) = matrix(rings, rings)
         do i = 1, m
             system(i, i) = system(i, i) + softness(rings(i))
@@ -244,7 +244,7 @@ contains
         system(m + 1, m + 1) = merge(1.0_wp, 0.0_wp, by_depth)
         unknowns(:m) = -known(rings)
         unknowns(m + 1) = target
-        call dgesv(m + 1, 1, system, m + 1, pivots, unknowns, m + 1, info)
+        call solve(system, unknowns, info)
         if (info /= 0) then
             call raise(error, error_no_convergence, "the pressure of a worn contact was not found: the system is singular")
             return

@@ -8,8 +8,8 @@
 module mdrcontact_wear_running_in
     use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: half_pi, pi, wp
-    use mdrcontact_lapack, only: dgemm, dsyev
     use mdrcontact_medium_solver, only: check_springs, solver_t
+    use mdrcontact_numerics_one_thread, only: add_product, find_eigenvalues
     use mdrcontact_numerics_quadrature, only: legendre
     implicit none (type, external)
     private
@@ -32,7 +32,7 @@ contains
         !> [length]
         real(wp), intent(out) :: length
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: matrix(0:functions - 1, 0:functions - 1), rates(functions), work(8*functions), modulus
+        real(wp) :: matrix(0:functions - 1, 0:functions - 1), rates(functions), modulus
         integer :: first, i, j, info
 
         length = 0.0_wp
@@ -44,7 +44,7 @@ contains
             end do
         end do
         first = merge(0, 1, by_depth)
-        call dsyev("N", "L", functions - first, matrix(first, first), functions, rates, work, size(work), info)
+        call find_eigenvalues(.false., matrix(first:, first:), rates(:functions - first), info)
         if (info /= 0) then
             call raise(error, error_no_convergence, "the decay of wear under a flat punch was not found")
         else
@@ -78,8 +78,8 @@ contains
         if (m == 0) return
         allocate (waves(m, functions), coupled(m, functions))
         call set_waves(waves)
-        call dgemm("N", "N", m, functions, m, 1.0_wp, interaction, m, waves, m, 0.0_wp, coupled, m)
-        call dgemm("T", "N", functions, functions, m, 1.0_wp, waves, m, coupled, m, 1.0_wp, matrix, functions)
+        call add_product("N", "N", m, functions, m, 1.0_wp, interaction, m, waves, m, 0.0_wp, coupled, m)
+        call add_product("T", "N", functions, functions, m, 1.0_wp, waves, m, coupled, m, 1.0_wp, matrix, functions)
     end subroutine spring_products
 
     !> int_-1^1 sqrt((4 m + 1)/2) P_2m phi_j dx, by the trapezoid rule in t, which is exact for them.

@@ -9,8 +9,8 @@ module mdrcontact_line_panels
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_lapack, only: dgesv
     use mdrcontact_line_kernel, only: kernel_t
+    use mdrcontact_numerics_one_thread, only: solve
     use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre, merge_breaks
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -122,7 +122,6 @@ contains
         real(wp), dimension(nodes*count) :: x, dx
         real(wp), dimension(nodes*count, 2) :: known, v
         real(wp) :: even_row(nodes), odd_row(nodes), shift(1), excess, level, tail, length
-        integer :: pivots(nodes*count)
         integer :: i, j, n, info
 
         n = nodes*count
@@ -146,7 +145,7 @@ contains
         do i = 1, n
             matrix(i, i) = matrix(i, i) + 1.0_wp
         end do
-        call dgesv(n, 2, matrix, n, pivots, v, n, info)
+        call solve(matrix, v, info)
         if (info /= 0) return
         v = known - v
         excess = (0.5_wp*force - sum(dx*v(:, 2)))/sum(dx*v(:, 1))

@@ -8,11 +8,11 @@ module mdrcontact_line_solve
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_lapack, only: dpotrf
     use mdrcontact_line_kernel, only: kernel_t
     use mdrcontact_line_legendre, only: edge_kernel, edge_row, edge_slopes, is_fine, moments_t, new_interaction
     use mdrcontact_line_moments, only: edge_moment, is_smooth, profile_moments
     use mdrcontact_line_remainder, only: new_remainder, remainder_t
+    use mdrcontact_numerics_one_thread, only: factorize_positive
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -317,7 +317,7 @@ contains
         integer :: i, j, k, info
 
         if (n >= large) then
-            call dpotrf("L", n, a, m, info)
+            call factorize_positive(n, m, a, info)
             done = info == 0
             return
         end if

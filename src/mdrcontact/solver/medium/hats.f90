@@ -12,8 +12,8 @@
 module mdrcontact_medium_hats
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: half_pi, pi, wp
-    use mdrcontact_lapack, only: dgemm
     use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_numerics_one_thread, only: add_product
     use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -127,7 +127,8 @@ contains
                 loads(row, :) = sqrt(2.0_wp*weights(k)*t(k)*width)*loads(row, :)
             end do
         end do
-        call dgemm("T", "N", self%n + 1, self%n + 1, rows, 1.0_wp, loads, rows, loads, rows, 0.0_wp, self%products, self%n + 1)
+        call add_product("T", "N", self%n + 1, self%n + 1, rows, 1.0_wp, loads, rows, loads, rows, 0.0_wp, self%products, &
+                         self%n + 1)
     end subroutine set_products
 
     !> Q_i(x), 0 < x < 1.
@@ -237,8 +238,8 @@ contains
             allocate (coupled(m, 0:hats%n), stat=stat)
             call check_memory(error, stat)
             if (allocated(error)) return
-            call dgemm("N", "N", m, n, m, 0.5_wp, interaction, m, hats%waves, size(hats%waves, 1), 0.0_wp, coupled, m)
-            call dgemm("T", "N", n, n, m, 1.0_wp, hats%waves, size(hats%waves, 1), coupled, m, 1.0_wp, matrix, n)
+            call add_product("N", "N", m, n, m, 0.5_wp, interaction, m, hats%waves, size(hats%waves, 1), 0.0_wp, coupled, m)
+            call add_product("T", "N", n, n, m, 1.0_wp, hats%waves, size(hats%waves, 1), coupled, m, 1.0_wp, matrix, n)
         end if
         matrix = (2.0_wp*a**3/modulus)*matrix
     end subroutine line_compliance

@@ -10,7 +10,7 @@ module mdrcontact_tension_body_part
     use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_gsl, only: gsl_sf_bessel_jn_array, gsl_success
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_lapack, only: dgemm
+    use mdrcontact_numerics_one_thread, only: add_product
     use mdrcontact_numerics_waves, only: wave_rule
     use mdrcontact_tension_green, only: green_t
     implicit none (type, external)
@@ -46,8 +46,8 @@ contains
         do i = 1, size(k)
             weighted(:, i) = pi*weight(i)*basis(:, i)
         end do
-        call dgemm("N", "T", n, n, size(k), 1.0_wp, weighted, n, basis, n, 1.0_wp, matrix, n)
-        call dgemm("N", "T", n, n, size(k), 1.0_wp, weighted, n, rates, n, 0.0_wp, half, n)
+        call add_product("N", "T", n, n, size(k), 1.0_wp, weighted, n, basis, n, 1.0_wp, matrix, n)
+        call add_product("N", "T", n, n, size(k), 1.0_wp, weighted, n, rates, n, 0.0_wp, half, n)
         slope = slope + half + transpose(half)
     end subroutine add_body_part
 

@@ -7,7 +7,7 @@
 module mdrcontact_tension_matrices
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_lapack, only: dgemm
+    use mdrcontact_numerics_one_thread, only: add_product
     use mdrcontact_tension_green, only: green_t, of_couple, of_couple_slope, of_couples, of_couples_slope, of_load, of_load_slope
     use mdrcontact_tension_grid, only: grid_t, new_grid
     implicit none (type, external)
@@ -104,8 +104,8 @@ contains
         nodes = size(waves, 1)
         most = size(waves, 2)
         allocate (half(nodes, n), transform(0:most - 1, 0:n - 1))
-        call dgemm("N", "N", nodes, n, nodes, 1.0_wp, kernel, nodes, waves, nodes, 0.0_wp, half, nodes)
-        call dgemm("T", "N", most, n, nodes, factor, waves, nodes, half, nodes, 0.0_wp, transform, most)
+        call add_product("N", "N", nodes, n, nodes, 1.0_wp, kernel, nodes, waves, nodes, 0.0_wp, half, nodes)
+        call add_product("T", "N", most, n, nodes, factor, waves, nodes, half, nodes, 0.0_wp, transform, most)
     end subroutine transform_cosines
 
     !> factor F(i + j, |i - j|).

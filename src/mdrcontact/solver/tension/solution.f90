@@ -8,7 +8,8 @@ module mdrcontact_tension_solution
     use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_lapack, only: dpotrf, dpotrs
+    use mdrcontact_lapack, only: dpotrs
+    use mdrcontact_numerics_one_thread, only: factorize_positive
     use mdrcontact_profile, only: profile_t
     use mdrcontact_tension_body_part, only: add_body_part
     use mdrcontact_tension_green, only: green_t
@@ -86,7 +87,7 @@ contains
         if (.not. allocated(error)) call add_body_part(green, compliance, a, self%factor, slope, error)
         if (allocated(error)) return
         n = size(self%factor, 1)
-        call dpotrf("L", n, self%factor, n, info)
+        call factorize_positive(n, n, self%factor, info)
         if (info /= 0) then
             call raise(error, error_no_convergence, "the contact of radius "//to_text(a)// &
                        " on a surface with tension or a plate was not found: its matrix is not positive definite")
