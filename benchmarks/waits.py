@@ -3,6 +3,7 @@
 
     tools/speed.sh keep build/before                        # before a change
     python benchmarks/waits.py build/before [ROW ...]       # after it; rows whose names contain one of the words
+    python benchmarks/waits.py --threads [ROW ...]          # this build with one thread of OpenBLAS, and with nothing set
 
 Each side runs in processes of its own, in turn; the least of some rounds counts. Imports do not count, unless a row is a command.
 Numbers are compared relative to the largest of their array; "none" is bitwise identical.
@@ -96,6 +97,51 @@ def _threads() -> Numbers:
     return {"film": film.conductance, "step": steps, "gel": gel.relaxation(times, drainage="indenter")}
 
 
+def worn(scheme: str, intervals: int) -> Numbers:
+    from mdrcontact import Coated, Contact, Elastic, Paraboloid, wear
+
+    contact = Contact(Paraboloid(1.0), Coated(Elastic(0.91, 0.3), 1.0, Elastic(0.091, 0.3)))
+    force = float(contact.at_radius(1.0).force)
+    history = wear.Wear(contact, 1.0).history(force=force, scheme=scheme, intervals=intervals)
+    history.advance(3.0, force=force)
+    return {"radius": history.state.radius, "depth": history.state.depth}
+
+
+@row("threads of OpenBLAS not set: wear, disc scheme of 80 intervals")
+def _disc() -> Numbers:
+    return worn("disc", 80)
+
+
+@row("threads of OpenBLAS not set: wear, rings scheme of 152 intervals")
+def _rings() -> Numbers:
+    return worn("rings", 152)
+
+
+@row("threads of OpenBLAS not set: thin film on a soft base, surface tension")
+def _large() -> Numbers:
+    from mdrcontact import Coated, Contact, Elastic, Homogeneous, Paraboloid, Surface
+
+    film = Coated(Elastic(1.0, 0.3), 0.01, Elastic(0.01, 0.3))
+    tense = Homogeneous(Elastic(1.0, 0.3), surface=Surface(tension=0.5))
+    return {
+        "film": Contact(Paraboloid(100.0), film).at_radius(np.linspace(0.1, 3.0, 20)).force,
+        "tense": Contact(Paraboloid(100.0), tense).at_radius(np.geomspace(0.01, 1.0, 10)).force,
+    }
+
+
+@row("threads of OpenBLAS not set: 300 fits of 40 readings")
+def _fits() -> Numbers:
+    from mdrcontact import Elastic, Homogeneous, Paraboloid
+    from mdrcontact.instruments import ForceDepth, fit
+
+    depth, random = np.linspace(1e-9, 1e-7, 40), np.random.default_rng(0)
+    start, estimates = Homogeneous(Elastic(5e10, 0.17)), []
+    for _ in range(300):
+        force = 2e14 * depth**1.5 * (1.0 + 0.01 * random.standard_normal(40)) * 1e-9
+        estimates += list(fit(ForceDepth(depth, force), Paraboloid(1e-5), start, ["E", "depth_offset"]).values.values())
+    return {"estimates": estimates}
+
+
 @row("fit: Monte Carlo intervals of four parameters")
 def _monte_carlo() -> Numbers:
     return fit_of("gel_in_time", interval="monte-carlo")
@@ -174,13 +220,14 @@ def run_one(name: str, path: str) -> None:
     Path(path).write_bytes(pickle.dumps(result))
 
 
-def measure(name: str, packages: str) -> tuple[float, float, Numbers]:
+def measure(name: str, packages: str, one_thread: bool) -> tuple[float, float, Numbers]:
     """CPU and wall seconds of a row with the package in a folder, and its numbers."""
     with tempfile.TemporaryDirectory() as folder:
         path = str(Path(folder) / "result")
         environment = {**os.environ, "PYTHONPATH": packages}
-        if name.startswith("threads"):
-            environment.pop("OPENBLAS_NUM_THREADS", None)
+        environment.pop("OPENBLAS_NUM_THREADS", None)
+        if one_thread:
+            environment["OPENBLAS_NUM_THREADS"] = "1"
         subprocess.run([sys.executable, "-P", __file__, "--one", name, path], env=environment, check=True)
         cpu, wall, found = pickle.loads(Path(path).read_bytes())
     return cpu, wall, found
@@ -207,19 +254,26 @@ def difference(old: Numbers, new: Numbers) -> str:
 def main() -> None:
     """Prints a table of the rows."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("before", help="folder with the earlier package, as tools/speed.sh keep makes it")
+    parser.add_argument("before", nargs="?", help="folder with the earlier package, as tools/speed.sh keep makes it")
     parser.add_argument("words", nargs="*", help="parts of the names of rows; without them all")
+    parser.add_argument("--threads", action="store_true", help="compare one thread of OpenBLAS with nothing set, in this build")
     parser.add_argument("--rounds", type=int, default=3, help="measurements of each side (default: 3)")
     arguments = parser.parse_args()
     present = str(ROOT / "python")
-    print("| what | CPU seconds before | now | ratio | difference of the results |\n|---|---|---|---|---|")
+    words = [word for word in [arguments.before, *arguments.words] if word] if arguments.threads else arguments.words
+    sides = ("of one thread", "nothing set") if arguments.threads else ("before", "now")
+    print(f"| what | CPU seconds {sides[0]} | {sides[1]} | ratio | difference of the results |\n|---|---|---|---|---|")
     for name in ROWS:
-        if arguments.words and not any(word in name for word in arguments.words):
+        if words and not any(word in name for word in words):
             continue
-        old, new = [], []
+        old, new, is_set = [], [], not name.startswith("threads")
         for _ in range(arguments.rounds):
-            old.append(measure(name, arguments.before))
-            new.append(measure(name, present))
+            if arguments.threads:
+                old.append(measure(name, present, one_thread=True))
+                new.append(measure(name, present, one_thread=False))
+            else:
+                old.append(measure(name, arguments.before, one_thread=is_set))
+                new.append(measure(name, present, one_thread=is_set))
         least = [min(cpu for cpu, _, _ in side) for side in (old, new)]
         differs = difference(old[0][2], new[0][2])
         print(f"| {name} | {least[0]:.3g} | {least[1]:.3g} | {least[1] / least[0]:.3f} | {differs} |", flush=True)
