@@ -102,7 +102,6 @@ contains
             end if
             next = i + width
             pivots(i:next - 1) = pivots(i:next - 1) + i - 1
-            if (info /= 0) info = info + i - 1
             if (info /= 0 .or. (width == left .and. i == 1)) return
             do j = 1, n
                 if (j < i .or. j >= next) call interchange(pivots(i:next - 1), i, a(:n, j))
@@ -151,7 +150,6 @@ contains
                              1.0_wp, a(i, i), rows)
         end do
         call factorize_positive(n - half, rows, a(half + 1, half + 1), info)
-        if (info /= 0) info = info + half
     end subroutine factorize_positive
 
     !> B becomes B inv(L)^T, L the lower triangle of a matrix; both are parts of matrices with so many rows.
