@@ -4,7 +4,7 @@ module mdrcontact_lapack
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: dgeev, dgels, dgemm, dgemv, dgetf2, dgetrf, dpotf2, dpotrs, dspev, dsyev, dtrsm, dtrsv, zgetf2, zgetrf, ztrsv
+    public :: dgeev, dgels, dgemm, dgemv, dgetf2, dgetrf, dpotf2, dpotrs, dspev, dsyev, dtrsm, dtrsv, zgetf2, zgetrf
 
     interface
         !> Cholesky factor of a symmetric positive definite matrix, column by column.
@@ -105,15 +105,6 @@ module mdrcontact_lapack
             real(wp), intent(in) :: a(lda, *)
             real(wp), intent(inout) :: x(*)
         end subroutine dtrsv
-
-        !> The same with a complex triangle.
-        subroutine ztrsv(uplo, trans, diag, n, a, lda, x, incx)
-            import :: wp
-            character(len=1), intent(in) :: uplo, trans, diag
-            integer, intent(in) :: n, lda, incx
-            complex(wp), intent(in) :: a(lda, *)
-            complex(wp), intent(inout) :: x(*)
-        end subroutine ztrsv
 
         !> Solves with a triangle on the left or on the right of m x n unknowns.
         subroutine dtrsm(side, uplo, transa, diag, m, n, alpha, a, lda, b, ldb)

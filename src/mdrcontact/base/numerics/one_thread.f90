@@ -5,7 +5,7 @@
 !> shared, and their results do not depend on the number of threads.
 module mdrcontact_numerics_one_thread
     use mdrcontact_kinds, only: wp
-    use mdrcontact_lapack, only: dgemm, dgemv, dgetf2, dgetrf, dpotf2, dspev, dsyev, dtrsm, dtrsv, zgetf2, zgetrf, ztrsv
+    use mdrcontact_lapack, only: dgemm, dgemv, dgetf2, dgetrf, dpotf2, dspev, dsyev, dtrsm, dtrsv, zgetf2, zgetrf
     use mdrcontact_nonfinite, only: is_finite
     implicit none (type, external)
     private
@@ -45,8 +45,14 @@ contains
         do i = 1, n
             b([i, pivots(i)]) = b([pivots(i), i])
         end do
-        call ztrsv("L", "N", "U", n, a, size(a, 1), b, 1)
-        call ztrsv("U", "N", "N", n, a, size(a, 1), b, 1)
+        ! not by ztrsv: that of OpenBLAS 0.3.21 reads beyond the end of b from 65 unknowns on
+        do i = 1, n
+            b(i + 1:) = b(i + 1:) - b(i)*a(i + 1:n, i)
+        end do
+        do i = n, 1, -1
+            b(i) = b(i)/a(i, i)
+            b(:i - 1) = b(:i - 1) - b(i)*a(:i - 1, i)
+        end do
         if (.not. all(is_finite(real(b, wp)) .and. is_finite(aimag(b)))) info = n + 1
     end subroutine solve_complex
 
