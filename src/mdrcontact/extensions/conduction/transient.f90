@@ -19,6 +19,9 @@ module mdrcontact_conduction_transient
     real(wp), parameter :: most_products = 1.5e9_wp
     !> Waves between two questions whether to go on.
     integer, parameter :: between_questions = 10000
+    !> Waves under a uniform flux fade as erfc(z/fade) from -reach to reach, of which exp(-fade^2/4) shows in an integral over J_1
+    !> and a smooth function, erfc(reach) at its ends; at least so many before.
+    real(wp), parameter :: fade = 11.0_wp, reach = 5.5_wp, fewest_waves = 100.0_wp
 
 contains
 
@@ -98,7 +101,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: z(:), weight(:)
         complex(wp) :: chi
-        real(wp) :: last, waves, first, bessel
+        real(wp) :: last, waves, first, bessel, from
         integer :: i
 
         value = 0.0_wp
@@ -111,7 +114,12 @@ contains
         if (waves > 0.0_wp) first = min(first, waves)
         ! chi falls as waves^2/k^2
         if (what == uniform_mean) last = max(last, 1200.0_wp*sqrt(waves))
-        if (what == uniform_centre .and. waves > 0.0_wp) last = max(last, 4000.0_wp*waves**(4.0_wp/7.0_wp), 1.0e3_wp)
+        from = huge(1.0_wp)
+        if (what == uniform_centre .and. waves > 0.0_wp) then
+            ! J_1 averages to 0 where chi is smooth: the integral ends by a fade instead of at a wave
+            from = max(last, 2.0_wp*waves, fewest_waves)
+            last = from + 2.0_wp*reach*fade
+        end if
         if (what == gaussian) last = 18.0_wp
         if (what /= gaussian) value = merge(8.0_wp/(3.0_wp*pi), 1.0_wp, what == uniform_mean)
         if (last > 0.0_wp) then
@@ -125,6 +133,7 @@ contains
                     value = value + weight(i)*(1.0_wp + chi)*exp(-z(i)**2/8.0_wp)
                 else
                     bessel = gsl_sf_bessel_j1(z(i))/z(i)
+                    if (z(i) > from) bessel = 0.5_wp*erfc((z(i) - from)/fade - reach)*bessel
                     value = value + weight(i)*chi*merge(2.0_wp*bessel**2, bessel, what == uniform_mean)
                 end if
             end do
