@@ -20,6 +20,8 @@ module mdrcontact_conduction_conductors
     !> C of an insulating base: all other terms are negligible compared with it, so that the result equals the limit to the last
     !> digit.
     real(wp), parameter :: without_end = 1.0e100_wp
+    !> Exponent kappa H of the surface layer from which exp(-2 kappa H) is 0.
+    real(wp), parameter :: out_of_reach = 373.0_wp
 
     !> A layer and the interface below it.
     type :: conductor_t
@@ -170,7 +172,7 @@ contains
         kappa = k
         ratio = 1.0_wp
         chi = 0.0_wp
-        if (abs(s) > 0.0_wp .and. self%rate(1) > 0.0_wp) then
+        if (s /= 0.0_wp .and. self%rate(1) > 0.0_wp) then
             kappa = kappa_of(self, 1, k, s)
             ratio = k/kappa
             ! k/kappa - 1
@@ -178,6 +180,7 @@ contains
         end if
         one_plus_chi = ratio
         if (self%layers == 0) return
+        if (real(kappa, wp)*self%h(1) > out_of_reach) return
         fall = exp(-2.0_wp*kappa*self%h(1))
         t = tanh_of(kappa*self%h(1), fall)
         y = self%s(1)*kappa*self%below(1, k, s)
@@ -194,7 +197,7 @@ contains
         complex(wp) :: kappa
 
         kappa = k
-        if (abs(s) > 0.0_wp) kappa = sqrt(k**2 + s*self%rate(layer))
+        if (s /= 0.0_wp) kappa = sqrt(k**2 + s*self%rate(layer))
     end function kappa_of
 
     !> tanh x, by exp(-2 x) where no digits are lost.
@@ -202,11 +205,9 @@ contains
         complex(wp), intent(in) :: x, fall
         complex(wp) :: t
 
-        if (abs(x) < 0.3_wp) then
-            t = tanh(x)
-        else
-            t = (1.0_wp - fall)/(1.0_wp + fall)
-        end if
+        t = (1.0_wp - fall)/(1.0_wp + fall)
+        if (abs(real(x, wp)) > 0.3_wp) return
+        if (abs(x) < 0.3_wp) t = tanh(x)
     end function tanh_of
 
 end module mdrcontact_conduction_conductors

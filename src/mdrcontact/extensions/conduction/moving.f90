@@ -26,6 +26,10 @@ module mdrcontact_conduction_moving
     !> Nodes of a panel of directions, the angle below which nothing is left, and the phase that a panel takes.
     integer, parameter :: direction_nodes = 10
     real(wp), parameter :: shortest_panel = 1.0e-9_wp, longest_phase = 6.0_wp
+    !> Phases of all points beyond which complex directions take fewer nodes, the exponent of the decay at which these end, and the
+    !> panels of those from cos phi = 1.
+    real(wp), parameter :: many_phases = 60.0_wp, decay = 32.0_wp
+    integer, parameter :: panels_from_one = 3
     !> Waves up to (cutoff_factor Pe)^(2/7)/a, and beyond the source's own, show in temperatures along its line to 1e-7.
     real(wp), parameter :: cutoff_factor = 1.0e7_wp, own_waves = 4.0_wp, fewest_waves = 60.0_wp
     !> Waves of the means: chi falls as Pe^2/k^2.
@@ -36,7 +40,7 @@ module mdrcontact_conduction_moving
     real(wp), parameter :: waves_of_search = 40.0_wp
     !> Distances over a at which parabolas are laid through three temperatures: the last is within 3e-4 a of the place.
     real(wp), parameter :: reaches(*) = [0.08_wp, 0.02_wp]
-    !> v a c/kappa_r up to which this is offered: it takes 10 to 20 s there, and its square.
+    !> v a c/kappa_r up to which this is offered: the waves grow with it.
     real(wp), parameter :: fastest = 1.0e3_wp
 
     !> j_hat and its waves.
@@ -265,8 +269,12 @@ contains
         integer :: j
 
         mean = 0.0_wp
+        if (k*minval(x) > many_phases) then
+            call find_complex_directions(body, waves, k, speed, x, mean)
+            return
+        end if
         call body%response(cmplx(k, 0.0_wp, wp), (0.0_wp, 0.0_wp), one_plus_chi, rest)
-        near = min(k, 1.0_wp/max(body%depth(), tiny(k)))/max(speed*maxval(body%rate), tiny(k))
+        near = branch_point(body, k, speed)
         longest = longest_phase/max(k*maxval(x), tiny(k))
         right = half_pi
         do while (right > 0.0_wp)
@@ -282,5 +290,69 @@ contains
         end do
         mean = mean/half_pi
     end subroutine find_directions
+
+    !> The size of cos phi at which chi changes from that of the source at rest.
+    pure function branch_point(body, k, speed) result(cosine)
+        type(conductors_t), intent(in) :: body
+        real(wp), intent(in) :: k, speed
+        real(wp) :: cosine
+
+        cosine = min(k, 1.0_wp/max(body%depth(), tiny(k)))/max(speed*maxval(body%rate), tiny(k))
+    end function branch_point
+
+    !> The same at points where the phase turns often: from c = cos phi = 0 and from 1 along paths of complex c, exp(i pi/4) rho
+    !> and 1 + i t^2, on which exp(i k x c) decays. Poles and branch points of chi have i c < 0, on the imaginary axis.
+    pure subroutine find_complex_directions(body, waves, k, speed, x, mean)
+        type(conductors_t), intent(in) :: body
+        type(waves_t), intent(in) :: waves
+        !> x > 0
+        real(wp), intent(in) :: k, speed, x(:)
+        !> same size as x
+        real(wp), intent(out) :: mean(:)
+        complex(wp), parameter :: ray = (1.0_wp, 1.0_wp)*sqrt(0.5_wp)
+        complex(wp) :: one_plus_chi, rest, c
+        real(wp) :: left, right, near, longest, t
+        integer :: i, j
+
+        mean = 0.0_wp
+        call body%response(cmplx(k, 0.0_wp, wp), (0.0_wp, 0.0_wp), one_plus_chi, rest)
+        near = 0.5_wp*branch_point(body, k, speed)
+        longest = longest_phase/(k*maxval(x))
+        right = sqrt(2.0_wp)*decay/(k*minval(x))
+        do while (right > 0.0_wp)
+            left = max(0.5_wp*right, right - longest)
+            if (right <= min(near, longest) .or. right < shortest_panel) left = 0.0_wp
+            do j = 1, direction_nodes
+                c = ray*(left + (right - left)*waves%node(j))
+                mean = mean + along(body, k, speed, c, rest, (right - left)*waves%share(j)*ray/sqrt(1.0_wp - c**2), x)
+            end do
+            right = left
+        end do
+        right = sqrt(decay/(k*minval(x)))/panels_from_one
+        do i = 1, panels_from_one
+            do j = 1, direction_nodes
+                t = right*(i - 1 + waves%node(j))
+                c = cmplx(1.0_wp, t**2, wp)
+                ! -2 i t dt/sqrt(1 - c^2)
+                mean = mean + along(body, k, speed, c, rest, &
+                                    right*waves%share(j)*(0.0_wp, -2.0_wp)/sqrt(cmplx(t**2, -2.0_wp, wp)), x)
+            end do
+        end do
+        mean = mean/half_pi
+    end subroutine find_complex_directions
+
+    !> Re[weight dchi exp(i k c x)] in one complex direction c.
+    pure function along(body, k, speed, c, rest, weight, x) result(values)
+        type(conductors_t), intent(in) :: body
+        real(wp), intent(in) :: k, speed
+        !> chi(k, 0)
+        complex(wp), intent(in) :: c, rest, weight
+        real(wp), intent(in) :: x(:)
+        real(wp) :: values(size(x))
+        complex(wp) :: one_plus_chi, chi
+
+        call body%response(cmplx(k, 0.0_wp, wp), (0.0_wp, 1.0_wp)*speed*k*c, one_plus_chi, chi)
+        values = real(weight*(chi - rest)*exp((0.0_wp, 1.0_wp)*k*c*x), wp)
+    end function along
 
 end module mdrcontact_conduction_moving
