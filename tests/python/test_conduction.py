@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import scipy.special
 import scipy.stats
 from conftest import ROOT
 
@@ -1040,3 +1041,66 @@ def test_conductors_have_no_springs():
     glued = mdr.Layered([mdr.Layer(solid, 1.0, interface=mdr.Interface(0.5, normal=2.0))], base)
     alone = LayeredConductor([(Conductor(1.0), 1.0), mdr.Interface(0.5)], Conductor(2.0))
     assert Conduction(glued).at_radius(1.0).conductance == Conduction(alone).at_radius(1.0).conductance
+
+
+SPINNING_TIPS = [mdr.Paraboloid(1.0), mdr.Cone(0.4), mdr.FlatEndedParaboloid(0.3, 1.0), mdr.FlatEndedCone(0.01, 0.3)]
+
+
+@pytest.mark.parametrize("tip", SPINNING_TIPS)
+def test_centre_of_a_spinning_contact(tip):
+    """mu Omega F/(2 pi kappa) under any pressure: p is infinite at the edge of a flat end, and changes fast above a thin film."""
+    media = [
+        (mdr.Homogeneous(mdr.Elastic(1.0, 0.3)), 1e-12),
+        (mdr.Coated(mdr.Elastic(1.0, 0.3), 0.02, mdr.Elastic(2.0, 0.2)), 1e-11),
+        (mdr.PowerLawGraded(1.0, 1.0, 0.4, 0.3), 1e-8),
+    ]
+    for medium, accuracy in media:
+        state = mdr.Contact(tip, medium).at_radius(1.3)
+        heat = Conduction(Conductor(0.7)).friction_heat(state, 0.5, 3.0, "spinning")
+        expected = 0.5 * 3.0 * state.force / (2.0 * np.pi * 0.7)
+        assert heat.centre == pytest.approx(expected, rel=accuracy)
+
+
+@pytest.mark.parametrize("exponent", [-0.6, -0.3, 0.0, 0.5])
+@pytest.mark.parametrize("motion", ["sliding", "spinning"])
+def test_heat_on_a_body_graded_by_a_power(exponent, motion):
+    """On a half-space T(0) = int j dr/kappa and Q = 2 pi int j r dr, here of p ~ (a^2 - r^2)^((m - 1)/2) under a flat punch."""
+    state = mdr.Contact(mdr.FlatPunch(2.0), mdr.PowerLawGraded(1.0, 1.0, exponent, 0.3)).at_force(0.9)
+    heat = Conduction(Conductor(0.7)).friction_heat(state, 0.5, 3.0, motion)
+
+    def moment(power):
+        """int_0^1 x^power (1 - x^2)^((m - 1)/2) dx"""
+        return 0.5 * scipy.special.beta(0.5 * (power + 1.0), 0.5 * (exponent + 1.0))
+
+    first = 0.5 * 3.0 * 0.9 / (2.0 * np.pi * moment(1))
+    if motion == "sliding":
+        assert heat.centre == pytest.approx(first * moment(0) / (2.0 * 0.7), rel=1e-9)
+        assert heat.total == pytest.approx(0.5 * 3.0 * 0.9, rel=1e-9)
+    else:
+        assert heat.centre == pytest.approx(first * moment(1) / 0.7, rel=1e-9)
+        assert heat.total == pytest.approx(2.0 * np.pi * first * moment(2) * 2.0, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("body", "largest", "behind"),
+    [
+        (Conductor(1.0, None, 1.0), 0.04970430660749859, 0.64848895639),
+        (LayeredConductor([(Conductor(2.0, None, 1.0), 0.3)], Conductor(1.0, None, 3.0)), 0.03503149484164056, 0.64486366360),
+    ],
+)
+def test_largest_temperature_of_a_fast_source(body, largest, behind):
+    """By directions that are real, in short panels: 14 digits."""
+    state = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(1.0, 0.3))).at_radius(1.0)
+    heat = Conduction(body).friction_heat(state, 1.0, 1.0, "moving", 300.0)
+    assert heat.largest == pytest.approx(largest, rel=1e-12)
+    assert heat.behind == pytest.approx(behind, rel=1e-9)
+
+
+@pytest.mark.parametrize("time", [5e-5, 1e-2, 0.3, 10.0])
+def test_centre_under_a_step_of_uniform_flux(time):
+    """2 q sqrt(D t) [ierfc(0) - ierfc(a/(2 sqrt(D t)))]/kappa of a half-space."""
+    diffused, kappa = math.sqrt(2.0 * time), 0.5
+    x = 1.0 / (2.0 * diffused)
+    rise = 1.0 / math.sqrt(math.pi) - (math.exp(-(x**2)) / math.sqrt(math.pi) - x * math.erfc(x))
+    found = Conduction(Conductor(kappa, None, kappa / 2.0)).step(time, 1.0, "centre_potential")
+    assert found == pytest.approx(2.0 * diffused * rise / (math.pi * kappa), rel=2e-12)

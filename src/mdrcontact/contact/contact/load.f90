@@ -36,6 +36,7 @@ module mdrcontact_contact_load
         class(load_t), allocatable :: surface
     contains
         procedure :: line_load
+        procedure :: projection
         procedure :: pressure
         procedure :: displacement
         procedure :: energy
@@ -83,6 +84,22 @@ contains
         call check_positions(error, "x", x, max(self%state%radius, self%state%zone_radius))
         if (.not. allocated(error)) call self%surface%line_load(x, values, error)
     end subroutine line_load
+
+    !> int p dy along a line at the distance x from the axis [modulus length]: the line load of everything that is proportional to
+    !> the pressure, as the heat of friction. It is q(x) except on bodies graded by a power.
+    subroutine projection(self, x, values, error)
+        class(contact_load_t), intent(in) :: self
+        !> positions 0 <= x <= a [length]
+        real(wp), intent(in) :: x(:)
+        !> same size as x
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        if (.not. self%is_made) call check_made(error, "load", self%is_made)
+        if (allocated(error)) return
+        call check_positions(error, "x", x, self%state%radius)
+        if (.not. allocated(error)) call self%surface%projection(x, values, error)
+    end subroutine projection
 
     !> p(r), the contact pressure, equation (6) [modulus]. Infinite at the edge of a flat punch, at the apex of a cone; minus
     !> infinity at an adhesive edge in the JKR limit.

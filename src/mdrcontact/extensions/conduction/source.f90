@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The heat that friction makes in a contact, as a line load: mu v q(x) of a contact that slides, and of one that spins the
-!> line load of mu omega r p(r), under Hertz's pressure those of theory/conduction.md (10.1), (10.4). As a Legendre series: the
-!> medium's own where it has one, else by sampling.
+!> line load of mu omega r p(r), under Hertz's pressure those of theory/conduction.md (10.1), (10.4), else (10.9). As a Legendre
+!> series: the medium's own where it has one, else by sampling.
 module mdrcontact_conduction_source
     use mdrcontact_codes, only: sliding => heat_sliding, spinning => heat_spinning
     use mdrcontact_contact, only: contact_t
@@ -15,17 +15,18 @@ module mdrcontact_conduction_source
     use mdrcontact_line_rule, only: new_rule, rule_t
     use mdrcontact_line_series, only: add_projections
     use mdrcontact_medium_solver, only: solved_t
-    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    use mdrcontact_numerics_quadrature, only: gauss_legendre, graded_edges, mark_breaks, new_antiderivative
     implicit none (type, external)
     private
     public :: source_t, new_source, centre_and_arc, has_line_force, sliding, spinning
 
-    !> Panels towards the axis, each `shrinking` times as long as the next.
-    integer, parameter :: panels = 24
-    real(wp), parameter :: shrinking = 0.25_wp
-    !> Nodes of a panel of a spinning contact, and its shortest panel.
-    integer, parameter :: spin_nodes = 20
-    real(wp), parameter :: smallest = 1.0e-7_wp
+    !> Nodes of a panel, and the phase 2 n theta of the last of n polynomials that a panel follows to machine precision.
+    integer, parameter :: panel_nodes = 20
+    real(wp), parameter :: longest_phase = 14.0_wp
+    !> Panels shrink towards the axis down to this part of the first break, and towards the edge down to this part of a.
+    real(wp), parameter :: nearest_axis = 0.25_wp**23, nearest_edge = 1.0e-5_wp
+    !> Means of the arithmetic-geometric mean of 1 and 1e-15.
+    integer, parameter :: means = 8
     !> Limit of the last coefficients of a series, relative to their mean square.
     real(wp), parameter :: negligible = 1.0e-5_wp
 
@@ -41,7 +42,7 @@ module mdrcontact_conduction_source
         procedure :: series
     end type source_t
 
-    !> Nodes for a line load that has no series: sin theta, the weights of int_0^a dx, cos theta.
+    !> Nodes for a line load that has no series, ascending: sin theta, the weights of int_0^a dx, cos theta.
     type :: places_t
         real(wp), allocatable :: u(:), dx(:), cosine(:)
     end type places_t
@@ -183,19 +184,19 @@ contains
         type(places_t) :: places
         real(wp), allocatable :: x(:), values(:)
 
-        ! r p(r) of a smooth p has a kink at the axis
-        call place_nodes(places, contact, self%radius, terms + 8, motion == sliding .and. is_smooth(contact%equilibrium%profile), &
-                         error)
+        allocate (places%u(0), places%dx(0), places%cosine(0))
+        if (motion == sliding .and. is_smooth(contact%equilibrium%profile)) then
+            call place_on_arc(places, self%radius, terms + 8, error)
+        else
+            ! r p(r) of a smooth p has a kink at the axis
+            call place_on_panels(places, contact, self%radius, terms, error)
+        end if
         if (allocated(error)) return
         x = [0.0_wp, places%u]
         allocate (values, mold=x)
         call contact%load(state, load, error)
-        if (allocated(error)) return
-        if (motion == sliding) then
-            call load%line_load(self%radius*x, values, error)
-        else
-            call fill_spin(load, x, values, error)
-        end if
+        if (.not. allocated(error)) call load%projection(self%radius*x, values, error)
+        if (motion == spinning .and. .not. allocated(error)) call spin(self%radius, x(2:), places%dx, values, error)
         if (allocated(error)) return
         values = strength*values
         self%centre = values(1)
@@ -210,84 +211,125 @@ contains
         self%t = self%t*normalisation(terms)
     end subroutine sample
 
-    !> The rule: one panel where the load is smooth; else panels towards the axis and, with room for a root, behind each kink.
-    subroutine place_nodes(self, contact, radius, nodes, smooth, error)
-        type(places_t), intent(out) :: self
-        type(contact_t), intent(in) :: contact
+    !> One panel for a smooth load.
+    subroutine place_on_arc(self, radius, nodes, error)
+        type(places_t), intent(inout) :: self
         !> a [length]
         real(wp), intent(in) :: radius
         integer, intent(in) :: nodes
-        logical, intent(in) :: smooth
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
-        real(wp), allocatable :: edges(:), breaks(:), theta(:), weight(:), t(:), w(:)
-        integer :: i, n, each, kinks
 
-        if (smooth) then
-            allocate (breaks(0))
-        else
-            call contact%equilibrium%add_breaks(breaks, error)
-            if (allocated(error)) return
-            breaks = pack(breaks, breaks > 0.0_wp .and. breaks < radius)
-        end if
-        kinks = size(breaks)
         call new_rule(rule, max(nodes, 64), error)
         if (allocated(error)) return
-        t = 0.5_wp*rule%distance
-        w = 0.5_wp*rule%weights
-        if (smooth) then
-            edges = [0.0_wp, half_pi]
-        else
-            edges = asin(min([breaks, radius]/radius, 1.0_wp))
-            edges = [0.0_wp, [(edges(1)*shrinking**(panels - i), i=1, panels - 1)], edges]
-        end if
-        each = size(t)
-        n = each*(size(edges) - 1)
-        allocate (theta(n), weight(n))
-        do i = 1, size(edges) - 1
-            associate (length => edges(i + 1) - edges(i), first => (i - 1)*each + 1, last => i*each)
-                if (i > size(edges) - 1 - kinks) then
-                    theta(first:last) = edges(i) + length*t**2
-                    weight(first:last) = 2.0_wp*length*t*w
+        call fill_places(self, radius, half_pi*(0.5_wp*rule%distance), half_pi*(0.5_wp*rule%weights))
+    end subroutine place_on_arc
+
+    !> Panels that grow from the axis and from each kink, with room for a root behind it, and shrink towards the edge, where a load
+    !> on a body graded by a power is one of cos theta; none is longer than the last polynomial can be followed.
+    subroutine place_on_panels(self, contact, radius, terms, error)
+        type(places_t), intent(inout) :: self
+        type(contact_t), intent(in) :: contact
+        !> a [length]
+        real(wp), intent(in) :: radius
+        integer, intent(in) :: terms
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: edges(:), breaks(:), theta(:), weight(:)
+        real(wp) :: t(panel_nodes), w(panel_nodes), start, length
+        logical, allocatable :: at_break(:)
+        integer, allocatable :: pieces(:)
+        integer :: i, k, n
+
+        call contact%equilibrium%add_breaks(breaks, error)
+        call gauss_legendre(t, w, error)
+        if (allocated(error)) return
+        breaks = asin(pack(breaks, breaks > 0.0_wp .and. breaks < radius)/radius)
+        call graded_edges(nearest_axis*minval([breaks, half_pi]), half_pi, breaks, half_pi*(1.0_wp + nearest_edge), edges, error)
+        if (allocated(error)) return
+        edges = [0.0_wp, edges]
+        call mark_breaks(edges, breaks, at_break, error)
+        if (allocated(error)) return
+        pieces = ceiling((edges(2:) - edges(:size(edges) - 1))*(2*terms/longest_phase))
+        allocate (theta(panel_nodes*sum(pieces)), weight(panel_nodes*sum(pieces)))
+        n = 0
+        do i = 1, size(pieces)
+            length = (edges(i + 1) - edges(i))/pieces(i)
+            do k = 1, pieces(i)
+                start = edges(i) + (k - 1)*length
+                if (k == 1 .and. at_break(i)) then
+                    theta(n + 1:n + panel_nodes) = start + length*t**2
+                    weight(n + 1:n + panel_nodes) = 2.0_wp*length*t*w
                 else
-                    theta(first:last) = edges(i) + length*t
-                    weight(first:last) = length*w
+                    theta(n + 1:n + panel_nodes) = start + length*t
+                    weight(n + 1:n + panel_nodes) = length*w
                 end if
-            end associate
+                n = n + panel_nodes
+            end do
         end do
+        call fill_places(self, radius, theta, weight)
+    end subroutine place_on_panels
+
+    pure subroutine fill_places(self, radius, theta, weight)
+        type(places_t), intent(inout) :: self
+        real(wp), intent(in) :: radius, theta(:), weight(:)
+
         self%u = sin(theta)
         self%cosine = cos(theta)
         self%dx = radius*self%cosine*weight
-    end subroutine place_nodes
+    end subroutine fill_places
 
-    !> 2 int_x^a r p(r) r/sqrt(r^2 - x^2) dr = 2 sqrt(a^2 - x^2) int_0^1 r p dt, r^2 = x^2 + (a^2 - x^2) t^2, t = sin tau in
-    !> panels that shrink down to x, below which r hardly changes.
-    subroutine fill_spin(load, u, values, error)
-        type(contact_load_t), intent(in) :: load
-        !> x/a
-        real(wp), intent(in) :: u(:)
-        real(wp), intent(out) :: values(:)
+    !> From the line load q of p to that of r p, int r p dy = x q + (2/pi) int_x^a q(t) B(x/t) dt: theory/conduction.md (10.9). B is
+    !> analytic at t = x, so that all values in the panel of x give the integral over its part beyond x.
+    subroutine spin(a, u, dx, values, error)
+        !> [length]
+        real(wp), intent(in) :: a
+        !> of place_on_panels
+        real(wp), intent(in) :: u(:), dx(:)
+        !> q(0) and those at the nodes, then those of r p
+        real(wp), intent(inout) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: node(spin_nodes), weight(spin_nodes), tau(spin_nodes), r(spin_nodes), p(spin_nodes), a, root, left, right
-        integer :: i
+        real(wp) :: node(panel_nodes), to_node(panel_nodes + 1, panel_nodes), q(size(values) - 1), &
+                    part(size(values) - 1)
+        integer :: i, own, first
 
-        values = 0.0_wp
-        a = load%state%radius
-        call gauss_legendre(node, weight, error)
-        do i = 1, size(u)
-            root = sqrt((1.0_wp - u(i))*(1.0_wp + u(i)))
-            right = half_pi
-            do while (right > 0.0_wp)
-                left = shrinking*right
-                if (right < u(i) .or. right < smallest) left = 0.0_wp
-                tau = left + (right - left)*node
-                r = min(a*hypot(u(i), root*sin(tau)), a)
-                call load%pressure(r, p, error)
-                if (allocated(error)) return
-                values(i) = values(i) + 2.0_wp*a*root*(right - left)*sum(weight*cos(tau)*r*p)
-                right = left
-            end do
+        call new_antiderivative(node, to_node, error)
+        if (allocated(error)) return
+        do i = 1, panel_nodes
+            to_node(i, :) = 1.0_wp - to_node(i, :)/to_node(panel_nodes + 1, :)
         end do
-    end subroutine fill_spin
+        q = values(2:)
+        values(1) = sum(dx*q)/half_pi
+        do i = 1, size(q)
+            own = modulo(i - 1, panel_nodes) + 1
+            first = i - own + 1
+            part(first:) = dx(first:)*q(first:)*ring(u(i)/u(first:))
+            part(first:first + panel_nodes - 1) = part(first:first + panel_nodes - 1)*to_node(own, :)
+            values(i + 1) = a*u(i)*q(i) + sum(part(first:))/half_pi
+        end do
+    end subroutine spin
+
+    !> B(s) = int_0^(pi/2) cos^2/sqrt(1 - (1 - s^2) sin^2), a complete elliptic integral, by the arithmetic-geometric mean.
+    pure function ring(s) result(b)
+        !> > 0
+        real(wp), intent(in) :: s(:)
+        real(wp) :: b(size(s))
+        real(wp) :: mean, root, next, e, total
+        integer :: i, n
+
+        do i = 1, size(s)
+            mean = 0.5_wp*(1.0_wp + s(i))
+            root = sqrt(s(i))
+            e = 0.5_wp
+            total = 0.25_wp
+            do n = 2, means
+                next = 0.5_wp*(mean + root)
+                root = sqrt(mean*root)
+                mean = next
+                e = (1.0_wp - s(i))*e**2/(4.0_wp*mean)
+                total = total + 2.0_wp**(n - 1)*e**2
+            end do
+            b(i) = half_pi/mean*(0.5_wp - total*(1.0_wp - s(i))/(1.0_wp + s(i)))
+        end do
+    end function ring
 
 end module mdrcontact_conduction_source

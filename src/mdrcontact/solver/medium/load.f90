@@ -65,6 +65,7 @@ module mdrcontact_medium_load
     contains
         !> q(x) [modulus length], 0 <= x <= a
         procedure(field_at), deferred :: line_load
+        procedure :: projection
         !> p(r) [modulus], 0 <= r <= a, infinite at r = a where punch_depth is not 0
         procedure(field_at), deferred :: pressure
         !> u(r) of the surface [length], r > a, positive into the medium
@@ -98,6 +99,18 @@ module mdrcontact_medium_load
     end interface
 
 contains
+
+    !> int p dy along the line x [modulus length]; here q, from which p follows by equation (6).
+    subroutine projection(self, r, values, error)
+        class(load_t), intent(in) :: self
+        !> 0 <= x <= a [length]
+        real(wp), intent(in) :: r(:)
+        !> same size as r
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        call self%line_load(r, values, error)
+    end subroutine projection
 
     !> Displacement of the surface of one body; here the same share everywhere.
     subroutine displacement_of_body(self, body, r, values, error)

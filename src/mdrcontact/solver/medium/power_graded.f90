@@ -46,6 +46,7 @@ module mdrcontact_medium_power_graded
         class(power_graded_t), pointer :: medium => null()
     contains
         procedure :: line_load
+        procedure :: projection
         procedure :: pressure
         procedure :: displacement
     end type power_graded_load_t
@@ -252,37 +253,64 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+
+        call add_powers(self, r, 0.5_wp*(self%medium%exponent - 1.0_wp), values, error)
+        if (.not. allocated(error)) values = values*self%medium%spring/pi
+    end subroutine pressure
+
+    !> int p dy = (c1/pi) B((1+m)/2, 1/2) [punch_depth (a^2 - x^2)^{m/2} + int_x^a g'(s) (s^2 - x^2)^{m/2} ds], for
+    !> 2 int_x^s r (s^2 - r^2)^{(m-1)/2} (r^2 - x^2)^{-1/2} dr = B((1+m)/2, 1/2) (s^2 - x^2)^{m/2}:
+    !> theory/conduction.md (10.10).
+    subroutine projection(self, r, values, error)
+        class(power_graded_load_t), intent(in) :: self
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        call add_powers(self, r, 0.5_wp*self%medium%exponent, values, error)
+        if (allocated(error)) return
+        associate (m => self%medium%exponent)
+            values = values*self%medium%spring/sqrt(pi)*gamma(0.5_wp*(1.0_wp + m))/gamma(1.0_wp + 0.5_wp*m)
+        end associate
+    end subroutine projection
+
+    !> punch_depth (a^2 - r^2)^power + int_r^a g'(x) (x^2 - r^2)^power dx.
+    subroutine add_powers(self, r, power, values, error)
+        class(power_graded_load_t), intent(in) :: self
+        real(wp), intent(in) :: r(:)
+        !> (m - 1)/2 or m/2
+        real(wp), intent(in) :: power
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
         type(sampled_function_t) :: g
         real(wp), allocatable :: breaks(:), corners(:)
-        real(wp) :: start, power
+        real(wp) :: start
         integer :: i, k
 
         associate (medium => self%medium, profile => self%profile, a => self%radius, punch_depth => self%punch_depth)
             if (profile%end_radius < a) call sample_transform(medium, profile, a, g, error)
             if (allocated(error)) return
-            power = 0.5_wp*(medium%exponent - 1.0_wp)
             call profile%add_breaks(breaks, error)
             breaks = breaks(:count(breaks < a))
             do i = 1, size(r)
                 values(i) = 0.0_wp
                 if (punch_depth /= 0.0_wp) then
                     values(i) = punch_depth*infinity
-                    if (r(i) < a) values(i) = punch_depth*((a - r(i))*(a + r(i)))**power
+                    if (r(i) < a .or. power >= 0.0_wp) values(i) = punch_depth*((a - r(i))*(a + r(i)))**power
                 end if
                 start = max(r(i), profile%end_radius)
-                if (medium%exponent <= 0.0_wp .and. r(i) > 0.0_wp .and. r(i) == profile%end_radius .and. a > start) then
+                if (medium%exponent + 0.5_wp*added(medium, power) <= 0.0_wp .and. r(i) > 0.0_wp .and. &
+                    r(i) == profile%end_radius .and. a > start) then
                     values(i) = infinity
                 else if (a > start) then
                     corners = [start, pack(breaks, breaks > start), a]
                     do k = 1, size(corners) - 1
-                        values(i) = values(i) + pressure_between(medium, profile, g, corners(k), corners(k + 1), &
-                                                                 r(i), error)
+                        values(i) = values(i) + powers_between(medium, profile, g, corners(k), corners(k + 1), r(i), power, error)
                     end do
                 end if
-                values(i) = values(i)*medium%spring/pi
             end do
         end associate
-    end subroutine pressure
+    end subroutine add_powers
 
     !> u(r) = (2 cos(m pi/2)/pi) int_0^a x^m w(x) (r^2 - x^2)^{-(1+m)/2} dx, r > a, w = d - g.
     subroutine displacement(self, r, values, error)
@@ -420,20 +448,19 @@ contains
         y = mdr(self%medium, self%profile, x, self%error)
     end function transform_at
 
-    !> int g'(x) (x^2 - r^2)^{(m-1)/2} dx from one corner of the profile to the next, r <= from. Behind a corner g rises as a broken
+    !> int g'(x) (x^2 - r^2)^power dx from one corner of the profile to the next, r <= from. Behind a corner g rises as a broken
     !> power of x - from: panels are graded towards it, and what lies within `near` of it is the rise of g there.
-    function pressure_between(self, profile, g, from, to, r, error) result(integral)
+    function powers_between(self, profile, g, from, to, r, power, error) result(integral)
         class(power_graded_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         type(sampled_function_t), intent(in) :: g
-        real(wp), intent(in) :: from, to, r
+        real(wp), intent(in) :: from, to, r, power
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: integral
         real(wp), allocatable :: beyond(:), dx(:)
         real(wp), parameter :: no_breaks(0) = [real(wp) ::]
-        real(wp) :: power, near
+        real(wp) :: near
 
-        power = 0.5_wp*(self%exponent - 1.0_wp)
         near = closest*from
         if (from <= 0.0_wp) near = 4.0_wp*g%lower()
         if (r == from .and. from == profile%end_radius .and. from > 0.0_wp) near = at_edge*from
@@ -444,24 +471,23 @@ contains
         if (allocated(error)) return
         ! in this order powers of the smallest radii stay numbers
         integral = sum(slope_of(profile, g, from + beyond)*dx*(beyond + (from - r))**power*((from + r) + beyond)**power) &
-                   + near_start(self, profile, g, from, near, r, error)
-    end function pressure_between
+                   + near_start(self, profile, g, from, near, r, power, error)
+    end function powers_between
 
     !> The part of the pressure integral within `near` of its singular start, where g' is constant or, at the axis, a power of x.
-    function near_start(self, profile, g, start, near, r, error) result(integral)
+    function near_start(self, profile, g, start, near, r, power, error) result(integral)
         class(power_graded_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         type(sampled_function_t), intent(in) :: g
-        real(wp), intent(in) :: start, near, r
+        real(wp), intent(in) :: start, near, r, power
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: integral
-        real(wp) :: power, growth
+        real(wp) :: growth
 
-        power = 0.5_wp*(self%exponent - 1.0_wp)
         if (start <= 0.0_wp) then
-            growth = exponent_at(g, 0.5_wp*near) + self%exponent
+            growth = exponent_at(g, 0.5_wp*near) + self%exponent + added(self, power)
             if (growth > 1.0e-6_wp) then
-                integral = g%slope(near)*near**self%exponent/growth
+                integral = g%slope(near)*near**(self%exponent + added(self, power))/growth
             else
                 integral = infinity
             end if
@@ -469,10 +495,20 @@ contains
             integral = (mdr(self, profile, start + near, error) - mdr(self, profile, start, error))*((start - r)*(start + r))**power
         else
             integral = slope_of(profile, g, start + near)*(2.0_wp*start)**power*near**(power + 1.0_wp)
-            ! at the edge of a flat end, m > 0, g' itself is such a power of x - start
-            integral = integral/merge(self%exponent, power + 1.0_wp, start == profile%end_radius .and. start > 0.0_wp)
+            ! at the edge of a flat end g' itself goes as (x - start)^{(m-1)/2}
+            integral = integral/merge(self%exponent + 0.5_wp*added(self, power), power + 1.0_wp, &
+                                      start == profile%end_radius .and. start > 0.0_wp)
         end if
     end function near_start
+
+    !> 2 power of x more than in the pressure integral: 0 there.
+    pure function added(self, power) result(difference)
+        class(power_graded_t), intent(in) :: self
+        real(wp), intent(in) :: power
+        real(wp) :: difference
+
+        difference = 2.0_wp*(power - 0.5_wp*(self%exponent - 1.0_wp))
+    end function added
 
     !> g'(x); nearer to an axis than g is sampled it is a power of x.
     elemental function slope_of(profile, g, x) result(slope)
