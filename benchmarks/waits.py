@@ -75,6 +75,47 @@ def _tin() -> Numbers:
     return section_of("tin_on_copper")
 
 
+def heat_of(tip: Any, radius: float, **motion: Any) -> Numbers:
+    """Temperatures of steel under DLC, in um."""
+    import mdrcontact as mdr
+    from mdrcontact.conduction import Conduction, Conductor
+
+    steel = mdr.Elastic(210e3, 0.3, conductor=Conductor(45e-6, capacity=3.6e-12))
+    body = mdr.Coated(mdr.Elastic(150e3, 0.25, conductor=Conductor(1e-6, capacity=2e-12)), 0.1, steel)
+    heat = Conduction(body).friction_heat(mdr.Contact(tip, body).at_radius(radius), 0.3, 1e5, **motion)
+    found = [heat.total, heat.centre, heat.flux_mean, heat.area_mean, heat.largest]
+    return {"heat": [number for number in found if number is not None]}
+
+
+@row("heat of friction: spinning paraboloid, a/h = 100")
+def _spinning() -> Numbers:
+    from mdrcontact import Paraboloid
+
+    return heat_of(Paraboloid(1000.0), 10.0, motion="spinning")
+
+
+@row("heat of friction: spinning cone, a/h = 20")
+def _spinning_cone() -> Numbers:
+    from mdrcontact import Cone
+
+    return heat_of(Cone(0.1), 2.0, motion="spinning")
+
+
+@row("heat of friction: moving paraboloid, Peclet number 1000")
+def _moving() -> Numbers:
+    from mdrcontact import Paraboloid
+
+    return heat_of(Paraboloid(1000.0), 1.0, motion="moving", source_speed=4.9e8)
+
+
+@row("step of flux: potential of the centre, early")
+def _centre() -> Numbers:
+    from mdrcontact.conduction import Conduction, Conductor, LayeredConductor
+
+    body = LayeredConductor([(Conductor(2.0, None, 1.0), 1.0)], Conductor(1.0, None, 3.0))
+    return {"centre": Conduction(body).step([3e-4], 1.0, "centre_potential")}
+
+
 def fit_of(name: str, **options: Any) -> Numbers:
     from mdrcontact import instruments, studies
 
