@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Response of a gel at one time or frequency, solved there: relaxation, creep and oscillation.
+!> Response of a gel at some times or one frequency, solved there: relaxation, creep and oscillation.
 !>
-!> 12 nodes of the inverse Laplace transform give 2e-11 at any time: theory/poroelastic.md (5.1), (5.3), (6.2).
+!> theory/poroelastic.md (5.1), (5.3), (6.2).
 module mdrcontact_poroelastic_answers
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
@@ -11,7 +11,7 @@ module mdrcontact_poroelastic_answers
     use mdrcontact_poroelastic_gel, only: gel_t
     implicit none (type, external)
     private
-    public :: first_time, basis_for, in_time, at_frequency, at_end, nodes
+    public :: first_time, basis_for, in_time, at_frequency, at_end, nodes, usual, exact
     public :: columns, relaxation, creep, paraboloid, mean_relaxation, mean_creep, storage, loss
 
     !> Tabulated quantities. In time tau, per its value on an incompressible half-space: the force after a step of a flat punch's
@@ -20,9 +20,9 @@ module mdrcontact_poroelastic_answers
     !> a flat punch's dynamic stiffness.
     integer, parameter :: columns = 7, relaxation = 1, creep = 2, paraboloid = 3, mean_relaxation = 4, mean_creep = 5, &
                           storage = 6, loss = 7
-    !> of the inverse Laplace transform
-    integer, parameter :: nodes = 12
-
+    !> Nodes of the inverse Laplace transform per sqrt(8 r + 1), for times up to a factor r apart: the error is exp(-2 pi density).
+    !> Paths with steep ramps multiply errors of responses at neighbouring times by differences of slopes: a table needs all digits.
+    real(wp), parameter :: usual = 4.0_wp, exact = 5.7_wp
 contains
 
     !> From this tau on responses are solved. Before it, what drains is a layer at the surface so thin that few polynomials do not
@@ -57,23 +57,38 @@ contains
         call new_basis(basis, order, first, last, error)
     end subroutine basis_for
 
-    !> The columns before `storage` at tau.
-    subroutine in_time(gel, basis, tau, values, error)
+    !> Number of nodes of the inverse Laplace transform that these times share.
+    pure function nodes(tau, density) result(count)
+        real(wp), intent(in) :: tau(:)
+        !> usual or exact
+        real(wp), intent(in) :: density
+        integer :: count
+
+        count = ceiling(density*sqrt(8.0_wp*(maxval(tau)/minval(tau)) + 1.0_wp))
+    end function nodes
+
+    !> The columns before `storage` at times between those of the basis.
+    subroutine in_time(gel, basis, density, tau, values, error)
         type(gel_t), intent(in) :: gel
         type(basis_t), intent(in) :: basis
-        real(wp), intent(in) :: tau
-        real(wp), intent(out) :: values(mean_creep)
+        !> usual or exact; times
+        real(wp), intent(in) :: density, tau(:)
+        !> (column, time)
+        real(wp), intent(out) :: values(:, :)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: s(nodes), weight(nodes, 1), q(basis%order), w(basis%order), mean
-        integer :: j
+        complex(wp) :: s(nodes(tau, density)), weight(size(s), size(tau)), q(basis%order), w(basis%order), mean
+        integer :: i, j
 
         values = 0.0_wp
-        call inverse_laplace([tau], s, weight)
-        do j = 1, nodes
+        call inverse_laplace(tau, s, weight)
+        do j = 1, size(s)
             call solve_contact(gel, basis, flat, s(j), q, w, error)
             if (allocated(error)) return
-            mean = 1.0_wp/(s(j)*tau)
-            values = values + aimag(weight(j, 1)*[q(1), 1.0_wp/q(1), of_paraboloid(q), q(1)*mean, mean/q(1)])
+            do i = 1, size(tau)
+                mean = 1.0_wp/(s(j)*tau(i))
+                values(:, i) = values(:, i) &
+                               + aimag(weight(j, i)*[q(1), 1.0_wp/q(1), of_paraboloid(q), q(1)*mean, mean/q(1)])
+            end do
         end do
     end subroutine in_time
 

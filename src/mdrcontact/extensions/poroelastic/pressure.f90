@@ -8,7 +8,7 @@ module mdrcontact_poroelastic_pressure
     use mdrcontact_numerics_laplace, only: inverse_laplace
     use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
     use mdrcontact_numerics_waves, only: basis_t, legendre_waves, wave_rule
-    use mdrcontact_poroelastic_answers, only: basis_for, nodes
+    use mdrcontact_poroelastic_answers, only: basis_for, nodes, usual
     use mdrcontact_poroelastic_contact, only: solve_contact
     use mdrcontact_poroelastic_gel, only: drains_by_surface, gel_t, sealed
     use mdrcontact_poroelastic_kernel, only: pore_part
@@ -60,12 +60,12 @@ contains
         logical, intent(in) :: is_pore
         real(wp), intent(out) :: load(:)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: s(nodes), weight(nodes, 1), q(basis%order), w(basis%order)
+        complex(wp) :: s(nodes([tau], usual)), weight(size(s), 1), q(basis%order), w(basis%order)
         integer :: j
 
         load = 0.0_wp
         call inverse_laplace([tau], s, weight)
-        do j = 1, nodes
+        do j = 1, size(s)
             call solve_contact(gel, basis, shape, s(j), q, w, error)
             if (is_pore) q = q - w
             load = load + aimag(weight(j, 1)*q)
@@ -121,7 +121,7 @@ contains
         real(wp), intent(in) :: shape(2), tau, r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: s(nodes), weight(nodes, 1), q(basis%order), w(basis%order)
+        complex(wp) :: s(nodes([tau], usual)), weight(size(s), 1), q(basis%order), w(basis%order)
         real(wp), allocatable :: k(:), dk(:), b(:, :), part(:), terms(:)
         logical, allocatable :: shorter(:)
         real(wp) :: off
@@ -133,7 +133,7 @@ contains
         call legendre_waves(k, b, error)
         part = 0.0_wp
         call inverse_laplace([tau], s, weight)
-        do j = 1, nodes
+        do j = 1, size(s)
             call solve_contact(gel, basis, shape, s(j), q, w, error)
             part = part + aimag(weight(j, 1)*pore_part(gel, cmplx(k, kind=wp), s(j))*matmul(q, b))
         end do

@@ -9,7 +9,8 @@ module mdrcontact_poroelastic_table
     use mdrcontact_error, only: check_made, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_chebyshev, only: chebyshev_sum, node, series_of_values, terms
-    use mdrcontact_poroelastic_answers, only: at_end, at_frequency, basis_for, columns, first_time, in_time, storage
+    use mdrcontact_poroelastic_answers, only: at_end, at_frequency, basis_for, columns, all_digits => exact, first_time, &
+                                          in_time, storage, usual
     use mdrcontact_poroelastic_early, only: early_part, early_terms, fit_early
     use mdrcontact_numerics_waves, only: basis_t
     use mdrcontact_poroelastic_gel, only: gel_t, new_gel
@@ -84,14 +85,16 @@ contains
     subroutine fill_early(self, error)
         type(poroelastic_t), intent(inout) :: self
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: tau(size(early) + size(joined)), values(size(tau), columns), exact(columns)
+        real(wp) :: tau(size(early) + size(joined)), values(size(tau), columns), exact(columns, 2), &
+                    checked(columns, size(between))
         integer :: i, j
 
         tau = self%first*[early, joined]
         do i = 1, size(early)
-            call early_answers(self%gel, tau(i), exact, error)
+            call early_answers(self%gel, self%first*[early(i), between(i)], exact, error)
             if (allocated(error)) return
-            values(i, :) = exact - self%undrained
+            values(i, :) = exact(:, 1) - self%undrained
+            checked(:, i) = exact(:, 2)
         end do
         do i = size(early) + 1, size(tau)
             do j = 1, columns
@@ -100,22 +103,21 @@ contains
         end do
         call fit_early(tau, values, self%early, error)
         do i = 1, size(between)
-            call early_answers(self%gel, between(i)*self%first, exact, error)
-            if (allocated(error)) return
-            call compare(self, self%undrained + early_part(self%early, between(i)*self%first), exact)
+            call compare(self, self%undrained + early_part(self%early, between(i)*self%first), checked(:, i))
         end do
     end subroutine fill_early
 
-    !> All columns at one tau before the first decade.
+    !> All columns at some tau before the first decade.
     subroutine early_answers(gel, tau, values, error)
         type(gel_t), intent(in) :: gel
-        real(wp), intent(in) :: tau
-        real(wp), intent(out) :: values(columns)
+        real(wp), intent(in) :: tau(:)
+        !> (column, tau)
+        real(wp), intent(out) :: values(:, :)
         type(error_t), allocatable, intent(inout) :: error
         type(basis_t) :: basis
 
-        call basis_for(gel, tau, tau, basis, error, finer=.true.)
-        call answers(gel, basis, tau, values, error)
+        call basis_for(gel, minval(tau), maxval(tau), basis, error, finer=.true.)
+        call answers(gel, basis, usual, tau, values, error)
     end subroutine early_answers
 
     !> Keeps the largest misfit.
@@ -138,34 +140,39 @@ contains
         integer, intent(in) :: decade
         type(error_t), allocatable, intent(inout) :: error
         type(basis_t) :: basis
-        real(wp) :: values(columns, terms), exact(columns), shortest
+        real(wp) :: values(columns, terms), exact(columns, 2), shortest
         integer :: i, j
 
         shortest = self%first*10.0_wp**(decade - 1)
         call basis_for(self%gel, shortest, 10.0_wp*shortest, basis, error)
-        do i = 1, terms
-            call answers(self%gel, basis, shortest*10.0_wp**(0.5_wp + 0.5_wp*node(i, terms)), values(:, i), error)
-            if (allocated(error)) return
-        end do
+        call answers(self%gel, basis, all_digits, [(shortest*10.0_wp**(0.5_wp + 0.5_wp*node(i, terms)), i=1, terms)], values, error)
+        if (allocated(error)) return
         self%series(:, :, decade) = transpose(series_of_values(values))
         call basis_for(self%gel, shortest, 10.0_wp*shortest, basis, error, finer=.true.)
+        call answers(self%gel, basis, usual, shortest*10.0_wp**[0.3_wp, 0.7_wp], exact, error)
+        if (allocated(error)) return
         do i = 1, 2
-            call answers(self%gel, basis, shortest*10.0_wp**(0.4_wp*i - 0.1_wp), exact, error)
-            if (allocated(error)) return
-            call compare(self, [(chebyshev_sum(self%series(:, j, decade), 0.8_wp*i - 1.2_wp), j=1, columns)], exact)
+            call compare(self, [(chebyshev_sum(self%series(:, j, decade), 0.8_wp*i - 1.2_wp), j=1, columns)], exact(:, i))
         end do
     end subroutine fill
 
-    !> All columns at tau and at the frequency 1/tau.
-    subroutine answers(gel, basis, tau, values, error)
+    !> All columns at some tau, and at the frequencies 1/tau.
+    subroutine answers(gel, basis, density, tau, values, error)
         type(gel_t), intent(in) :: gel
         type(basis_t), intent(in) :: basis
-        real(wp), intent(in) :: tau
-        real(wp), intent(out) :: values(columns)
+        !> usual or all_digits; some tau
+        real(wp), intent(in) :: density, tau(:)
+        !> (column, tau)
+        real(wp), intent(out) :: values(:, :)
         type(error_t), allocatable, intent(inout) :: error
+        integer :: i
 
-        call in_time(gel, basis, tau, values(:storage - 1), error)
-        call at_frequency(gel, basis, 1.0_wp/tau, values(storage:), error)
+        values = 0.0_wp
+        if (allocated(error)) return
+        call in_time(gel, basis, density, tau, values(:storage - 1, :), error)
+        do i = 1, size(tau)
+            call at_frequency(gel, basis, 1.0_wp/tau(i), values(storage:, i), error)
+        end do
     end subroutine answers
 
     !> One column at tau, or at the frequency 1/tau, >= 0; at the ends those of the elastic bodies.
@@ -179,7 +186,7 @@ contains
         real(wp), intent(out) :: y
         type(error_t), allocatable, intent(out) :: error
         type(basis_t) :: basis
-        real(wp) :: x, all_values(columns)
+        real(wp) :: x, all_values(columns, 1)
         integer :: decade
 
         call check_made(error, "table", self%is_made)
@@ -196,8 +203,8 @@ contains
             return
         end if
         if (tau < self%first) then
-            all_values = early_part(self%early, tau)
-            y = y + all_values(column)
+            all_values(:, 1) = early_part(self%early, tau)
+            y = y + all_values(column, 1)
             return
         end if
         x = log10(tau/self%first)
@@ -206,8 +213,8 @@ contains
             y = chebyshev_sum(self%series(:, column, decade), 2.0_wp*(x - (decade - 1)) - 1.0_wp)
         else
             call basis_for(self%gel, tau, tau, basis, error)
-            call answers(self%gel, basis, tau, all_values, error)
-            y = all_values(column)
+            call answers(self%gel, basis, all_digits, [tau], all_values, error)
+            y = all_values(column, 1)
         end if
     end subroutine value
 
