@@ -188,6 +188,55 @@ def _monte_carlo() -> Numbers:
     return fit_of("gel_in_time", interval="monte-carlo")
 
 
+def gel_fit(**options: Any) -> Numbers:
+    from mdrcontact import instruments, studies
+
+    path = ROOT / "examples" / "fit" / "punch_on_hydrogel.csv"
+    problem = instruments.load_fit_file(path.with_suffix(".toml"))
+    found = studies.fit(problem, problem.read_data(path)[0], **options)
+    return {fit.drainage: [*fit.values.values(), *fit.errors.values()] for fit in (found.fit, *found.drainages)}
+
+
+@row("gel: fit of modulus, Poisson's ratio and diffusivity")
+def _gel() -> Numbers:
+    return gel_fit()
+
+
+@row("gel: the same under each drainage")
+def _drainages() -> Numbers:
+    return gel_fit(compare=True)
+
+
+@row("gel: 200 fits of simulated readings")
+def _gels() -> Numbers:
+    from mdrcontact import instruments
+
+    path = ROOT / "examples" / "fit" / "punch_on_hydrogel.csv"
+    problem = instruments.load_fit_file(path.with_suffix(".toml"))
+    data, random = problem.read_data(path)[0], np.random.default_rng(0)
+    tip, free = problem.indenter, [*problem.free]
+    found = instruments.fit_gel(data, tip, problem.medium, free, drainage="indenter")
+    sd = float(np.std(data.y - found.fitted))
+    values = []
+    for _ in range(200):
+        same = instruments.ForceTime(data.x, data.given, found.fitted + sd * random.standard_normal(len(data)))
+        values.append([*instruments.fit_gel(same, tip, problem.medium, free, drainage="indenter").values.values()])
+    return {"estimates": np.transpose(values)[0], "ratios": np.transpose(values)[1], "diffusivities": np.transpose(values)[2]}
+
+
+@row("gel film: fit of modulus, Poisson's ratio and diffusivity")
+def _gel_film() -> Numbers:
+    from mdrcontact import RIGID, Coated, Contact, FlatPunch, instruments, poroelastic
+
+    body = Coated(poroelastic.Poroelastic(28e3, 0.28, 3e-8), 1e-3, RIGID)
+    time = np.linspace(0.0, 60.0, 50)
+    path = poroelastic.history(Contact(FlatPunch(1e-3), body), time, depth=np.full(50, 5e-5), drainage="surface")
+    force = path.force * (1.0 + 0.003 * np.random.default_rng(0).standard_normal(50))
+    data = instruments.ForceTime(time, path.depth, force)
+    found = instruments.fit_gel(data, FlatPunch(1e-3), body, ("shear_modulus", "nu", "diffusivity"), drainage="surface")
+    return {"values": [*found.values.values(), *found.errors.values()]}
+
+
 @row("command: fit of one curve, its imports included")
 def _fit() -> Numbers:
     path = ROOT / "examples" / "fit" / "sphere_on_oxide.csv"

@@ -24,6 +24,8 @@ module mdrcontact_numerics_waves
     !> Nodes beyond the last wave, of the mean and of the waves' fall, which exp(-2 deepest) ends.
     integer, parameter :: far_nodes = 24
     real(wp), parameter :: deepest = 18.0_wp
+    !> Products b_i b_j, and nodes, of one step of the sums for several functions.
+    integer, parameter :: block_pairs = 48, block_nodes = 64
 
     !> The polynomials at the nodes of a rule.
     type :: basis_t
@@ -35,7 +37,7 @@ module mdrcontact_numerics_waves
         !> the same for the others, whose cos k is 1
         complex(wp), allocatable :: far_weight(:), outgoing(:, :)
     contains
-        procedure :: project
+        procedure :: project, project_each
     end type basis_t
 
 contains
@@ -160,12 +162,10 @@ contains
     end function outgoing_waves
 
     !> The matrix (2/pi) int f b_i b_j dk.
-    subroutine project(self, f, is_inner, matrix)
+    subroutine project(self, f, matrix)
         class(basis_t), intent(in) :: self
         !> at self%k
         complex(wp), intent(in) :: f(:)
-        !> with b_0 - cos k for the b_0 of the rows
-        logical, intent(in) :: is_inner
         !> (order, order)
         complex(wp), intent(out) :: matrix(:, :)
         real(wp), allocatable :: scaled(:, :)
@@ -180,17 +180,101 @@ contains
             scaled(:n, i) = self%b(:, i)*(self%weight(i)*real(f(i), wp))
             scaled(n + 1:, i) = self%b(:, i)*(self%weight(i)*aimag(f(i)))
         end do
-        far = self%outgoing
-        if (is_inner) then
-            scaled(1, :) = self%inner*self%weight*real(f(:m), wp)
-            scaled(n + 1, :) = self%inner*self%weight*aimag(f(:m))
-            far(1, :) = far(1, :) - 1.0_wp
-        end if
         call add_product("N", "T", 2*n, n, m, 1.0_wp, scaled, 2*n, self%b, n, 0.0_wp, product, 2*n)
         do i = 1, size(far, 2)
-            far(:, i) = far(:, i)*(self%far_weight(i)*f(m + i))
+            far(:, i) = self%outgoing(:, i)*(self%far_weight(i)*f(m + i))
         end do
         matrix = cmplx(product(:n, :), product(n + 1:, :), wp) + matmul(far, transpose(self%outgoing))
     end subroutine project
+
+    !> The matrices of several functions: the products b_i b_j are formed once, i >= j.
+    subroutine project_each(self, f, is_inner, matrices)
+        class(basis_t), intent(in) :: self
+        !> (node, function) at self%k
+        complex(wp), intent(in) :: f(:, :)
+        !> with b_0 - cos k for the b_0 of the rows
+        logical, intent(in) :: is_inner
+        !> (order, order, function)
+        complex(wp), intent(out) :: matrices(:, :, :)
+        complex(wp), allocatable :: values(:, :)
+        integer, allocatable :: row(:), column(:)
+        integer :: p
+
+        call list_pairs(self%order, is_inner, row, column)
+        allocate (values(size(row), size(f, 2)))
+        call add_near(self, row, column, f, values)
+        call add_far(self, row, column, f, values)
+        do p = 1, size(row)
+            matrices(max(row(p), 1), column(p), :) = values(p, :)
+            if (row(p) > 0) matrices(column(p), row(p), :) = values(p, :)
+        end do
+    end subroutine project_each
+
+    !> Rows and columns of the elements that determine the matrix. Row 0 is the first one with b_0 - cos k, listed last.
+    pure subroutine list_pairs(order, is_inner, row, column)
+        integer, intent(in) :: order
+        logical, intent(in) :: is_inner
+        integer, allocatable, intent(out) :: row(:), column(:)
+        integer :: i, j
+
+        row = [((i, i=j, order), j=1, order)]
+        column = [((j, i=j, order), j=1, order)]
+        if (.not. is_inner) return
+        row = [row(2:), (0, j=1, order)]
+        column = [column(2:), (j, j=1, order)]
+    end subroutine list_pairs
+
+    !> The integrals over products of two real numbers.
+    subroutine add_near(self, row, column, f, values)
+        class(basis_t), intent(in) :: self
+        integer, intent(in) :: row(:), column(:)
+        complex(wp), intent(in) :: f(:, :)
+        !> (pair, function)
+        complex(wp), intent(out) :: values(:, :)
+        real(wp), allocatable :: b(:, :), parts(:, :)
+        real(wp) :: products(block_nodes, block_pairs), sums(block_pairs, 2*size(f, 2))
+        integer :: i, m, n, first, pairs, start, nodes
+
+        m = size(self%weight)
+        n = size(f, 2)
+        allocate (b(m, 0:self%order), parts(m, 2*n))
+        b(:, 0) = self%inner
+        b(:, 1:) = transpose(self%b)
+        do i = 1, n
+            parts(:, i) = self%weight*real(f(:m, i), wp)
+            parts(:, n + i) = self%weight*aimag(f(:m, i))
+        end do
+        do first = 1, size(row), block_pairs
+            pairs = min(block_pairs, size(row) - first + 1)
+            sums = 0.0_wp
+            do start = 1, m, block_nodes
+                nodes = min(block_nodes, m - start + 1)
+                do i = 1, pairs
+                    products(:nodes, i) = b(start:start + nodes - 1, row(first + i - 1)) &
+                                          *b(start:start + nodes - 1, column(first + i - 1))
+                end do
+                call add_product("T", "N", pairs, 2*n, nodes, 1.0_wp, products, block_nodes, parts(start, 1), m, 1.0_wp, sums, &
+                                 block_pairs)
+            end do
+            values(first:first + pairs - 1, :) = cmplx(sums(:pairs, :n), sums(:pairs, n + 1:), wp)
+        end do
+    end subroutine add_near
+
+    !> Adds the integrals over products of two outgoing waves.
+    subroutine add_far(self, row, column, f, values)
+        class(basis_t), intent(in) :: self
+        integer, intent(in) :: row(:), column(:)
+        complex(wp), intent(in) :: f(:, :)
+        complex(wp), intent(inout) :: values(:, :)
+        complex(wp) :: waves(0:self%order, size(self%far_weight)), products(size(row), size(self%far_weight))
+        integer :: i
+
+        waves(0, :) = self%outgoing(1, :) - 1.0_wp
+        waves(1:, :) = self%outgoing
+        do i = 1, size(self%far_weight)
+            products(:, i) = self%far_weight(i)*waves(row, i)*waves(column, i)
+        end do
+        values = values + matmul(products, f(size(self%weight) + 1:, :))
+    end subroutine add_far
 
 end module mdrcontact_numerics_waves

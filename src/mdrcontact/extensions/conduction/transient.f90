@@ -75,7 +75,7 @@ contains
         if (allocated(error)) return
         n = basis%order
         allocate (matrix(n, n))
-        call basis%project(conduction%chi(basis%k/a, s), .false., matrix)
+        call basis%project(conduction%chi(basis%k/a, s), matrix)
         do i = 1, n
             matrix(i, i) = matrix(i, i) + 1.0_wp
         end do

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Response of a gel at some times or one frequency, solved there: relaxation, creep and oscillation.
+!> Response of a gel at some times and frequencies, solved there: relaxation, creep and oscillation.
 !>
 !> theory/poroelastic.md (5.1), (5.3), (6.2).
 module mdrcontact_poroelastic_answers
@@ -7,11 +7,11 @@ module mdrcontact_poroelastic_answers
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_laplace, only: inverse_laplace
     use mdrcontact_numerics_waves, only: basis_t, new_basis
-    use mdrcontact_poroelastic_contact, only: flat, solve_contact, solve_elastic
+    use mdrcontact_poroelastic_contact, only: flat, solve_contacts, solve_elastic
     use mdrcontact_poroelastic_gel, only: gel_t
     implicit none (type, external)
     private
-    public :: first_time, basis_for, in_time, at_frequency, at_end, nodes, usual, exact
+    public :: first_time, basis_for, answers, at_end, nodes, usual, exact
     public :: columns, relaxation, creep, paraboloid, mean_relaxation, mean_creep, storage, loss
 
     !> Tabulated quantities. In time tau, per its value on an incompressible half-space: the force after a step of a flat punch's
@@ -67,8 +67,8 @@ contains
         count = ceiling(density*sqrt(8.0_wp*(maxval(tau)/minval(tau)) + 1.0_wp))
     end function nodes
 
-    !> The columns before `storage` at times between those of the basis.
-    subroutine in_time(gel, basis, density, tau, values, error)
+    !> All columns at times between those of the basis, and at the frequencies 1/tau.
+    subroutine answers(gel, basis, density, tau, values, error)
         type(gel_t), intent(in) :: gel
         type(basis_t), intent(in) :: basis
         !> usual or exact; times
@@ -76,34 +76,25 @@ contains
         !> (column, time)
         real(wp), intent(out) :: values(:, :)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: s(nodes(tau, density)), weight(size(s), size(tau)), q(basis%order), w(basis%order), mean
+        complex(wp), dimension(nodes(tau, density)) :: s
+        complex(wp) :: weight(size(s), size(tau)), mean
+        complex(wp), dimension(basis%order, size(s) + size(tau)) :: q, w
         integer :: i, j
 
         values = 0.0_wp
+        if (allocated(error)) return
         call inverse_laplace(tau, s, weight)
-        do j = 1, size(s)
-            call solve_contact(gel, basis, flat, s(j), q, w, error)
-            if (allocated(error)) return
-            do i = 1, size(tau)
+        call solve_contacts(gel, basis, flat, [s, cmplx(0.0_wp, 1.0_wp/tau, wp)], q, w, error)
+        if (allocated(error)) return
+        do i = 1, size(tau)
+            do j = 1, size(s)
                 mean = 1.0_wp/(s(j)*tau(i))
-                values(:, i) = values(:, i) &
-                               + aimag(weight(j, i)*[q(1), 1.0_wp/q(1), of_paraboloid(q), q(1)*mean, mean/q(1)])
+                values(:storage - 1, i) = values(:storage - 1, i) &
+                    + aimag(weight(j, i)*[q(1, j), 1.0_wp/q(1, j), of_paraboloid(q(:, j)), q(1, j)*mean, mean/q(1, j)])
             end do
+            values(storage:, i) = [real(q(1, size(s) + i), wp), aimag(q(1, size(s) + i))]
         end do
-    end subroutine in_time
-
-    !> The last two at a frequency.
-    subroutine at_frequency(gel, basis, omega, values, error)
-        type(gel_t), intent(in) :: gel
-        type(basis_t), intent(in) :: basis
-        real(wp), intent(in) :: omega
-        real(wp), intent(out) :: values(2)
-        type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: q(basis%order), w(basis%order)
-
-        call solve_contact(gel, basis, flat, cmplx(0.0_wp, omega, wp), q, w, error)
-        values = [real(q(1), wp), aimag(q(1))]
-    end subroutine at_frequency
+    end subroutine answers
 
     !> All columns of the elastic body that a gel is initially, or finally.
     subroutine at_end(gel, basis, is_drained, values, error)

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One contact of a gel at one Laplace variable s: the line load of a flat punch or a paraboloid at depth 1, in units of 4 G. Below,
+!> A contact of a gel at some Laplace variables s: the line load of a flat punch or a paraboloid at depth 1, in units of 4 G. Below,
 !> 1 represents the shape.
 !>
 !> With q the line load of the total pressure, m that of the pore pressure where the indenter seals, w = q - m, R and P the cosine
@@ -16,40 +16,51 @@ module mdrcontact_poroelastic_contact
     use mdrcontact_poroelastic_kernel, only: surface_flux, relative_compliance
     implicit none (type, external)
     private
-    public :: solve_contact, solve_elastic, flat, parabolic
+    public :: solve_contacts, solve_elastic, flat, parabolic
 
     !> Coefficients of 1, a flat punch at depth 1, and of 1 - x^2, a paraboloid.
     real(wp), parameter :: flat(2) = [1.0_wp, 0.0_wp], parabolic(2) = [2.0_wp/3.0_wp, -2.0_wp/(3.0_wp*sqrt(5.0_wp))]
 
 contains
 
-    !> Coefficients of q and of w in the basis's polynomials.
-    subroutine solve_contact(gel, basis, shape, s, q, w, error)
+    !> Coefficients of q and of w in the basis's polynomials, at each s.
+    subroutine solve_contacts(gel, basis, shape, s, q, w, error)
         type(gel_t), intent(in) :: gel
         type(basis_t), intent(in) :: basis
         !> the first two coefficients of the prescribed quantity on the line: flat or parabolic
         real(wp), intent(in) :: shape(2)
-        complex(wp), intent(in) :: s
-        !> (order)
-        complex(wp), intent(out) :: q(:), w(:)
+        complex(wp), intent(in) :: s(:)
+        !> (order, s)
+        complex(wp), intent(out) :: q(:, :), w(:, :)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp), allocatable :: r(:, :), p(:, :)
+        complex(wp), allocatable :: f(:, :), r(:, :, :), p(:, :, :)
+        integer :: j
 
         q = 0.0_wp
         w = 0.0_wp
         if (allocated(error)) return
-        allocate (r(basis%order, basis%order), p(basis%order, basis%order))
+        allocate (f(size(basis%k), size(s)), r(basis%order, basis%order, size(s)), p(basis%order, basis%order, size(s)))
+        do j = 1, size(s)
+            f(:, j) = relative_compliance(gel, basis%k, s(j)) - gel%local()
+        end do
+        call basis%project_each(f, .false., r)
         p = 0.0_wp
-        call basis%project(relative_compliance(gel, basis%k, s) - gel%local(), .false., r)
-        call add_to_diagonal(r, gel%local())
-        if (gel%drainage == sealed_by_indenter) call basis%project(surface_flux(gel, basis%k, s), .true., p)
-        call solve_shape(r + p, shape, w, error)
-        q = w
         if (gel%drainage == sealed_by_indenter) then
-            q = -matmul(r, w)
-            q(:2) = q(:2) + shape
+            do j = 1, size(s)
+                f(:, j) = surface_flux(gel, basis%k, s(j))
+            end do
+            call basis%project_each(f, .true., p)
         end if
-    end subroutine solve_contact
+        do j = 1, size(s)
+            call add_to_diagonal(r(:, :, j), gel%local())
+            call solve_shape(r(:, :, j) + p(:, :, j), shape, w(:, j), error)
+            q(:, j) = w(:, j)
+            if (gel%drainage == sealed_by_indenter) then
+                q(:, j) = -matmul(r(:, :, j), w(:, j))
+                q(:2, j) = q(:2, j) + shape
+            end if
+        end do
+    end subroutine solve_contacts
 
     !> The same of an elastic body, the gel initially (nu = 1/2) or finally.
     subroutine solve_elastic(gel, basis, is_drained, q, error)
@@ -75,7 +86,7 @@ contains
                 call film%response(basis%k(i)/gel%ratio, normal_to, one_plus_chi, chi(i))
             end do
         end if
-        call basis%project(2.0_wp*(1.0_wp - poisson)*chi, .false., r)
+        call basis%project(2.0_wp*(1.0_wp - poisson)*chi, r)
         call add_to_diagonal(r, 1.0_wp - 2.0_wp*poisson)
         call solve_shape(r, flat, q, error)
     end subroutine solve_elastic

@@ -27,17 +27,17 @@ contains
         if (gel%ratio > 0.0_wp .and. real(k, wp) < 20.0_wp*gel%ratio) then
             r = film_compliance(gel%poisson, gel%drainage == sealed, real(k, wp)/gel%ratio, s/gel%ratio**2)
         else
-            r = half_space_yield(gel, k, s)
+            r = half_space_yield(gel, k, sqrt(k*k + s))
         end if
     end function relative_compliance
 
-    elemental function half_space_yield(gel, k, s) result(r)
+    !> r by q = sqrt(k^2 + s).
+    elemental function half_space_yield(gel, k, q) result(r)
         type(gel_t), intent(in) :: gel
-        complex(wp), intent(in) :: k, s
+        complex(wp), intent(in) :: k, q
         complex(wp) :: r
-        complex(wp) :: q, y
+        complex(wp) :: y
 
-        q = sqrt(k*k + s)
         y = gel%local()/(1.0_wp - gel%poisson)*k/(q + k)
         if (gel%drainage == sealed) y = y*k/q
         r = y/(1.0_wp - y)
@@ -48,8 +48,10 @@ contains
         type(gel_t), intent(in) :: gel
         complex(wp), intent(in) :: k, s
         complex(wp) :: ratio
+        complex(wp) :: q
 
-        ratio = (1.0_wp + half_space_yield(gel_t(gel%poisson), k, s))*s/(k*(sqrt(k*k + s) + k))
+        q = sqrt(k*k + s)
+        ratio = (1.0_wp + half_space_yield(gel_t(gel%poisson), k, q))*s/(k*(q + k))
     end function surface_flux
 
     !> Pore pressure per total pressure at the surface of a half-space that is sealed everywhere.

@@ -9,7 +9,7 @@ module mdrcontact_poroelastic_pressure
     use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
     use mdrcontact_numerics_waves, only: basis_t, legendre_waves, wave_rule
     use mdrcontact_poroelastic_answers, only: basis_for, nodes, usual
-    use mdrcontact_poroelastic_contact, only: solve_contact
+    use mdrcontact_poroelastic_contact, only: solve_contacts
     use mdrcontact_poroelastic_gel, only: drains_by_surface, gel_t, sealed
     use mdrcontact_poroelastic_kernel, only: pore_part
     implicit none (type, external)
@@ -60,16 +60,13 @@ contains
         logical, intent(in) :: is_pore
         real(wp), intent(out) :: load(:)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: s(nodes([tau], usual)), weight(size(s), 1), q(basis%order), w(basis%order)
-        integer :: j
+        complex(wp) :: s(nodes([tau], usual)), weight(size(s), 1)
+        complex(wp), dimension(basis%order, size(s)) :: q, w
 
-        load = 0.0_wp
         call inverse_laplace([tau], s, weight)
-        do j = 1, size(s)
-            call solve_contact(gel, basis, shape, s(j), q, w, error)
-            if (is_pore) q = q - w
-            load = load + aimag(weight(j, 1)*q)
-        end do
+        call solve_contacts(gel, basis, shape, s, q, w, error)
+        if (is_pore) q = q - w
+        load = aimag(matmul(q, weight(:, 1)))
     end subroutine load_in_time
 
     !> p(r) = q(1)/sqrt(1 - r^2) - int_r^1 q'(x)/sqrt(x^2 - r^2) dx, by x^2 = r^2 + (1 - r^2) u^2: q'(x)/x is a polynomial in u^2.
@@ -121,7 +118,8 @@ contains
         real(wp), intent(in) :: shape(2), tau, r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: s(nodes([tau], usual)), weight(size(s), 1), q(basis%order), w(basis%order)
+        complex(wp) :: s(nodes([tau], usual)), weight(size(s), 1)
+        complex(wp), dimension(basis%order, size(s)) :: q, w
         real(wp), allocatable :: k(:), dk(:), b(:, :), part(:), terms(:)
         logical, allocatable :: shorter(:)
         real(wp) :: off
@@ -133,9 +131,9 @@ contains
         call legendre_waves(k, b, error)
         part = 0.0_wp
         call inverse_laplace([tau], s, weight)
+        call solve_contacts(gel, basis, shape, s, q, w, error)
         do j = 1, size(s)
-            call solve_contact(gel, basis, shape, s(j), q, w, error)
-            part = part + aimag(weight(j, 1)*pore_part(gel, cmplx(k, kind=wp), s(j))*matmul(q, b))
+            part = part + aimag(weight(j, 1)*pore_part(gel, cmplx(k, kind=wp), s(j))*matmul(q(:, j), b))
         end do
         part = dk*k*part
         shorter = k > k(size(k))/3.0_wp

@@ -9,8 +9,7 @@ module mdrcontact_poroelastic_table
     use mdrcontact_error, only: check_made, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_chebyshev, only: chebyshev_sum, node, series_of_values, terms
-    use mdrcontact_poroelastic_answers, only: at_end, at_frequency, basis_for, columns, all_digits => exact, first_time, &
-                                          in_time, storage, usual
+    use mdrcontact_poroelastic_answers, only: answers, at_end, basis_for, columns, all_digits => exact, first_time, usual
     use mdrcontact_poroelastic_early, only: early_part, early_terms, fit_early
     use mdrcontact_numerics_waves, only: basis_t
     use mdrcontact_poroelastic_gel, only: gel_t, new_gel
@@ -155,25 +154,6 @@ contains
             call compare(self, [(chebyshev_sum(self%series(:, j, decade), 0.8_wp*i - 1.2_wp), j=1, columns)], exact(:, i))
         end do
     end subroutine fill
-
-    !> All columns at some tau, and at the frequencies 1/tau.
-    subroutine answers(gel, basis, density, tau, values, error)
-        type(gel_t), intent(in) :: gel
-        type(basis_t), intent(in) :: basis
-        !> usual or all_digits; some tau
-        real(wp), intent(in) :: density, tau(:)
-        !> (column, tau)
-        real(wp), intent(out) :: values(:, :)
-        type(error_t), allocatable, intent(inout) :: error
-        integer :: i
-
-        values = 0.0_wp
-        if (allocated(error)) return
-        call in_time(gel, basis, density, tau, values(:storage - 1, :), error)
-        do i = 1, size(tau)
-            call at_frequency(gel, basis, 1.0_wp/tau(i), values(storage:, i), error)
-        end do
-    end subroutine answers
 
     !> One column at tau, or at the frequency 1/tau, >= 0; at the ends those of the elastic bodies.
     subroutine value(self, column, tau, y, error)
