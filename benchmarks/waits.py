@@ -194,7 +194,7 @@ def gel_fit(**options: Any) -> Numbers:
     path = ROOT / "examples" / "fit" / "punch_on_hydrogel.csv"
     problem = instruments.load_fit_file(path.with_suffix(".toml"))
     found = studies.fit(problem, problem.read_data(path)[0], **options)
-    return {fit.drainage: [*fit.values.values(), *fit.errors.values()] for fit in (found.fit, *found.drainages)}
+    return {f"{fit.drainage} {name}": value for fit in (found.fit, *found.drainages) for name, value in fit.values.items()}
 
 
 @row("gel: fit of modulus, Poisson's ratio and diffusivity")
@@ -221,7 +221,7 @@ def _gels() -> Numbers:
     for _ in range(200):
         same = instruments.ForceTime(data.x, data.given, found.fitted + sd * random.standard_normal(len(data)))
         values.append([*instruments.fit_gel(same, tip, problem.medium, free, drainage="indenter").values.values()])
-    return {"estimates": np.transpose(values)[0], "ratios": np.transpose(values)[1], "diffusivities": np.transpose(values)[2]}
+    return dict(zip(free, np.transpose(values), strict=True))
 
 
 @row("gel film: fit of modulus, Poisson's ratio and diffusivity")
@@ -234,7 +234,16 @@ def _gel_film() -> Numbers:
     force = path.force * (1.0 + 0.003 * np.random.default_rng(0).standard_normal(50))
     data = instruments.ForceTime(time, path.depth, force)
     found = instruments.fit_gel(data, FlatPunch(1e-3), body, ("shear_modulus", "nu", "diffusivity"), drainage="surface")
-    return {"values": [*found.values.values(), *found.errors.values()]}
+    return dict(found.values)
+
+
+@row("wear: ball on a film, 100 m under a force")
+def _wear() -> Numbers:
+    from mdrcontact import Coated, Contact, Elastic, Sphere, wear
+
+    body = Coated(Elastic(120e9, 0.25), 2e-6, Elastic(210e9, 0.30))
+    now = wear.Wear(Contact(Sphere(3e-3), body), 1e-15).history(force=5.0).advance(100.0, force=5.0)
+    return {"radius": now.radius, "depth": now.depth, "worn volume": now.worn_volume}
 
 
 @row("command: fit of one curve, its imports included")

@@ -26,7 +26,7 @@ enum mdr_drainage {
 
 /** Create the responses of a gel in time and frequency: a poroelastic half-space (Biot, incompressible constituents), or a film
  *  bonded to an impermeable rigid base, under a rigid frictionless indenter. The initial response is F = 8 G a d, that of nu = 1/2;
- *  the final response is F = 4 G a d/(1 - nu). The responses are tabulated in about half a second and checked against finer
+ *  the final response is F = 4 G a d/(1 - nu). The responses are tabulated in some tenths of a second and checked against finer
  *  solutions between the nodes. The table of a half-space applies to all shear moduli, diffusivities, contact radii and times.
  *  @param nu         drained Poisson's ratio, -1 < nu < 1/2; nothing drains at 1/2
  *  @param drainage   one of enum mdr_drainage; MDR_DRAINAGE_INDENTER only for a half-space

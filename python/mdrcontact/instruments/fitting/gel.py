@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
@@ -127,7 +127,7 @@ def fit_gel(
         A half-space of a `Poroelastic`, or a film of it on a RIGID base. Its numbers are the fixed values.
     free : iterable of str, optional
         Names out of "shear_modulus", "nu" and "diffusivity"; starting values are searched for. nu lies in 0 to 0.499 and needs nine
-        tables, which take a few seconds the first time.
+        tables, which take one or two seconds the first time.
     drainage : {"surface", "sealed", "indenter"}
         As in `Contact.relaxation`. It is not a fit parameter; see `compare_drainages`.
 
@@ -164,9 +164,8 @@ def fit_gel(
         raise ArgumentTypeError(f"medium = {medium!r}: it must be a body of Poroelastic(...)")
     drainage_code(drainage)
     gel = gel_of(medium)
-    answers = partial(_shape, _case(data, indenter), data, indenter, medium, drainage)
-    shape = partial(answers, gel.nu if "nu" not in names else None)
-    search = _Search(shape, data, names, gel)
+    answers = _Answers(data, indenter, medium, drainage)
+    search = _Search(answers.between if "nu" in names else answers.of, data, names, gel)
     found = search.run(_time_scale(data, indenter))
     fields = found.fields(search.coordinates)
     gel = gel.replace(**fields["values"])
@@ -262,15 +261,18 @@ def _time_scale(data: Any, indenter: Any) -> float:
     return a**2 / duration
 
 
-def _shape(
-    case: str, data: Any, indenter: Any, medium: Any, drainage: str, fixed: float | None, nu: float, diffusivity: float, part: Any
-) -> Array:
-    """The readings of `part` under a shear modulus of 1: from the table of the given Poisson's ratio, or interpolated."""
-    if fixed is not None:
-        return _answer(case, data, indenter, medium, drainage, Poroelastic(1.0, fixed, diffusivity), part)
-    rows = [_answer(case, data, indenter, medium, drainage, Poroelastic(1.0, ratio, diffusivity), part) for ratio in _TABLES]
-    series = chebyshev.chebfit(_PLACES, np.array(rows), len(_PLACES) - 1)
-    return np.asarray(chebyshev.chebval(_place(nu), series))
+class _Answers:
+    """The readings of one fit under a shear modulus of 1."""
+
+    def __init__(self, data: Any, indenter: Any, medium: Any, drainage: str) -> None:
+        # searches vary one parameter at a time: most steps change neither the diffusivity nor the tables
+        self.of = lru_cache(maxsize=4 * len(_TABLES))(partial(_answer, _case(data, indenter), data, indenter, medium, drainage))
+        """from the table of a Poisson's ratio, at a diffusivity"""
+
+    def between(self, nu: float, diffusivity: float) -> Array:
+        """Readings interpolated between the tables."""
+        series = chebyshev.chebfit(_PLACES, np.array([self.of(ratio, diffusivity) for ratio in _TABLES]), len(_PLACES) - 1)
+        return np.asarray(chebyshev.chebval(_place(nu), series))
 
 
 def _place(nu: float) -> float:
@@ -283,13 +285,13 @@ _TABLES = [_END - (_END - _HIGHEST) * ((_END - _LOWEST) / (_END - _HIGHEST)) ** 
 """Poisson's ratios of the tables; responses between them are interpolated."""
 
 
-def _check_between_tables(shape: Any, nu: float, diffusivity: float) -> None:
+def _check_between_tables(answers: _Answers, nu: float, diffusivity: float) -> None:
     """Raise an error if the interpolation is inaccurate midway between the two tables around nu."""
     edges = np.array([_LOWEST, *_TABLES[::-1], _HIGHEST])
     i = min(max(int(np.searchsorted(edges, nu)), 1), len(edges) - 1)
     between = float(0.5 * (edges[i - 1] + edges[i]))
-    exact = shape(between, between, diffusivity, slice(None))
-    off = float(np.max(np.abs(shape(None, between, diffusivity, slice(None)) - exact)) / np.max(np.abs(exact)))
+    exact = answers.of(between, diffusivity)
+    off = float(np.max(np.abs(answers.between(between, diffusivity) - exact)) / np.max(np.abs(exact)))
     if not off <= _AGREE:
         raise NoConvergenceError(
             f"the responses between the tables of {len(_TABLES)} Poisson's ratios have an error of {off:.1e} at nu = "
@@ -297,17 +299,17 @@ def _check_between_tables(shape: Any, nu: float, diffusivity: float) -> None:
         )
 
 
-def _answer(case: str, data: Any, indenter: Any, medium: Any, drainage: str, gel: Poroelastic, part: Any) -> Array:
-    contact = Contact(indenter, body_of(medium, gel))
+def _answer(case: str, data: Any, indenter: Any, medium: Any, drainage: str, nu: float, diffusivity: float) -> Array:
+    contact = Contact(indenter, body_of(medium, Poroelastic(1.0, nu, diffusivity)))
     if case == "dynamic":
         k = np.asarray(contact.dynamic_stiffness(data.x[::2], radius=float(data.given[0]), drainage=drainage))
-        return np.asarray(np.column_stack([k.real, k.imag]).ravel()[part])
+        return np.asarray(np.column_stack([k.real, k.imag]).ravel())
     if case == "held":
         a = np.full(len(data), _radius(data, indenter))
-        return np.asarray(history(contact, data.x, radius=a, drainage=drainage).force[part])
+        return np.asarray(history(contact, data.x, radius=a, drainage=drainage).force)
     path: dict[str, Any] = {case: data.given}
     found = history(contact, data.x, drainage=drainage, **path)
-    return np.asarray((found.force if case == "depth" else found.depth)[part])
+    return np.asarray(found.force if case == "depth" else found.depth)
 
 
 class _Search:
@@ -331,7 +333,7 @@ class _Search:
     def model(self, u: Array) -> Array:
         """The readings."""
         modulus, nu, diffusivity = self.gel_at(u)
-        return np.asarray(modulus**self.power * self.shape(nu, diffusivity, slice(None)))
+        return np.asarray(modulus**self.power * self.shape(nu, diffusivity))
 
     def start(self, scale: float) -> Array:
         """The best of a grid, with the shear modulus that fits it best."""
@@ -340,9 +342,9 @@ class _Search:
         part = np.unique(np.linspace(0, len(self.y) - 1, min(_MOST, len(self.y))).astype(int))
         y, w = self.y[part] * self.weights[part], self.weights[part]
         best, least = np.zeros(0), math.inf
-        for nu in ratios:
-            for diffusivity in diffusivities:
-                shape = w * self.shape(nu, float(diffusivity), part)
+        for diffusivity in diffusivities:
+            for nu in ratios:
+                shape = w * self.shape(nu, float(diffusivity))[part]
                 factor = self.gel.shear_modulus**self.power
                 if "shear_modulus" in self.names:
                     factor = max(float(shape @ y) / float(shape @ shape), 1e-300)

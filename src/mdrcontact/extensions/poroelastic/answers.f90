@@ -21,7 +21,7 @@ module mdrcontact_poroelastic_answers
     integer, parameter :: columns = 7, relaxation = 1, creep = 2, paraboloid = 3, mean_relaxation = 4, mean_creep = 5, &
                           storage = 6, loss = 7
     !> Nodes of the inverse Laplace transform per sqrt(8 r + 1), for times up to a factor r apart: the error is exp(-2 pi density).
-    !> Paths with steep ramps multiply errors of responses at neighbouring times by differences of slopes: a table needs all digits.
+    !> Paths with steep ramps multiply errors of responses at neighbouring times by differences of slopes: a table needs 12 digits.
     real(wp), parameter :: usual = 4.0_wp, exact = 5.7_wp
 contains
 
