@@ -127,7 +127,7 @@ def fit_gel(
         A half-space of a `Poroelastic`, or a film of it on a RIGID base. Its numbers are the fixed values.
     free : iterable of str, optional
         Names out of "shear_modulus", "nu" and "diffusivity"; starting values are searched for. nu lies in 0 to 0.499 and needs nine
-        tables, which take one or two seconds the first time.
+        tables, which take 1 to 4 seconds the first time.
     drainage : {"surface", "sealed", "indenter"}
         As in `Contact.relaxation`. It is not a fit parameter; see `compare_drainages`.
 

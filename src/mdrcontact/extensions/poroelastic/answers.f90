@@ -11,7 +11,7 @@ module mdrcontact_poroelastic_answers
     use mdrcontact_poroelastic_gel, only: gel_t
     implicit none (type, external)
     private
-    public :: first_time, basis_for, answers, at_end, nodes, usual, exact
+    public :: first_time, basis_for, answers, at_end, nodes
     public :: columns, relaxation, creep, paraboloid, mean_relaxation, mean_creep, storage, loss
 
     !> Tabulated quantities. In time tau, per its value on an incompressible half-space: the force after a step of a flat punch's
@@ -20,9 +20,11 @@ module mdrcontact_poroelastic_answers
     !> a flat punch's dynamic stiffness.
     integer, parameter :: columns = 7, relaxation = 1, creep = 2, paraboloid = 3, mean_relaxation = 4, mean_creep = 5, &
                           storage = 6, loss = 7
-    !> Nodes of the inverse Laplace transform per sqrt(8 r + 1), for times up to a factor r apart: the error is exp(-2 pi density).
-    !> Paths with steep ramps multiply errors of responses at neighbouring times by differences of slopes: a table needs 12 digits.
-    real(wp), parameter :: usual = 4.0_wp, exact = 5.7_wp
+    !> Nodes of the inverse Laplace transform: at one time, with an error of 2e-11, of means 2e-9; and per sqrt(8 r + 1) of times up
+    !> to a factor r apart, with one of 1e-12: paths with steep ramps multiply differences of means at neighbouring times.
+    integer, parameter :: nodes = 12
+    real(wp), parameter :: density = 5.7_wp
+
 contains
 
     !> From this tau on responses are solved. Before it, what drains is a layer at the surface so thin that few polynomials do not
@@ -57,27 +59,23 @@ contains
         call new_basis(basis, order, first, last, error)
     end subroutine basis_for
 
-    !> Number of nodes of the inverse Laplace transform that these times share.
-    pure function nodes(tau, density) result(count)
+    !> Number of nodes that these times share.
+    pure function shared_nodes(tau) result(count)
         real(wp), intent(in) :: tau(:)
-        !> usual or exact
-        real(wp), intent(in) :: density
         integer :: count
 
         count = ceiling(density*sqrt(8.0_wp*(maxval(tau)/minval(tau)) + 1.0_wp))
-    end function nodes
+    end function shared_nodes
 
     !> All columns at times between those of the basis, and at the frequencies 1/tau.
-    subroutine answers(gel, basis, density, tau, values, error)
+    subroutine answers(gel, basis, tau, values, error)
         type(gel_t), intent(in) :: gel
         type(basis_t), intent(in) :: basis
-        !> usual or exact; times
-        real(wp), intent(in) :: density, tau(:)
+        real(wp), intent(in) :: tau(:)
         !> (column, time)
         real(wp), intent(out) :: values(:, :)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp), dimension(nodes(tau, density)) :: s
-        complex(wp) :: weight(size(s), size(tau)), mean
+        complex(wp) :: s(shared_nodes(tau)), weight(size(s), size(tau)), mean
         complex(wp), dimension(basis%order, size(s) + size(tau)) :: q, w
         integer :: i, j
 

@@ -8,7 +8,7 @@ module mdrcontact_poroelastic_pressure
     use mdrcontact_numerics_laplace, only: inverse_laplace
     use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
     use mdrcontact_numerics_waves, only: basis_t, legendre_waves, wave_rule
-    use mdrcontact_poroelastic_answers, only: basis_for, nodes, usual
+    use mdrcontact_poroelastic_answers, only: basis_for, nodes
     use mdrcontact_poroelastic_contact, only: solve_contacts
     use mdrcontact_poroelastic_gel, only: drains_by_surface, gel_t, sealed
     use mdrcontact_poroelastic_kernel, only: pore_part
@@ -60,8 +60,8 @@ contains
         logical, intent(in) :: is_pore
         real(wp), intent(out) :: load(:)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: s(nodes([tau], usual)), weight(size(s), 1)
-        complex(wp), dimension(basis%order, size(s)) :: q, w
+        complex(wp) :: s(nodes), weight(nodes, 1)
+        complex(wp), dimension(basis%order, nodes) :: q, w
 
         call inverse_laplace([tau], s, weight)
         call solve_contacts(gel, basis, shape, s, q, w, error)
@@ -118,8 +118,8 @@ contains
         real(wp), intent(in) :: shape(2), tau, r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: s(nodes([tau], usual)), weight(size(s), 1)
-        complex(wp), dimension(basis%order, size(s)) :: q, w
+        complex(wp) :: s(nodes), weight(nodes, 1)
+        complex(wp), dimension(basis%order, nodes) :: q, w
         real(wp), allocatable :: k(:), dk(:), b(:, :), part(:), terms(:)
         logical, allocatable :: shorter(:)
         real(wp) :: off
@@ -132,7 +132,7 @@ contains
         part = 0.0_wp
         call inverse_laplace([tau], s, weight)
         call solve_contacts(gel, basis, shape, s, q, w, error)
-        do j = 1, size(s)
+        do j = 1, nodes
             part = part + aimag(weight(j, 1)*pore_part(gel, cmplx(k, kind=wp), s(j))*matmul(q(:, j), b))
         end do
         part = dk*k*part

@@ -9,7 +9,7 @@ module mdrcontact_poroelastic_table
     use mdrcontact_error, only: check_made, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_chebyshev, only: chebyshev_sum, node, series_of_values, terms
-    use mdrcontact_poroelastic_answers, only: answers, at_end, basis_for, columns, all_digits => exact, first_time, usual
+    use mdrcontact_poroelastic_answers, only: answers, at_end, basis_for, columns, first_time
     use mdrcontact_poroelastic_early, only: early_part, early_terms, fit_early
     use mdrcontact_numerics_waves, only: basis_t
     use mdrcontact_poroelastic_gel, only: gel_t, new_gel
@@ -116,7 +116,7 @@ contains
         type(basis_t) :: basis
 
         call basis_for(gel, minval(tau), maxval(tau), basis, error, finer=.true.)
-        call answers(gel, basis, usual, tau, values, error)
+        call answers(gel, basis, tau, values, error)
     end subroutine early_answers
 
     !> Keeps the largest misfit.
@@ -144,11 +144,11 @@ contains
 
         shortest = self%first*10.0_wp**(decade - 1)
         call basis_for(self%gel, shortest, 10.0_wp*shortest, basis, error)
-        call answers(self%gel, basis, all_digits, [(shortest*10.0_wp**(0.5_wp + 0.5_wp*node(i, terms)), i=1, terms)], values, error)
+        call answers(self%gel, basis, [(shortest*10.0_wp**(0.5_wp + 0.5_wp*node(i, terms)), i=1, terms)], values, error)
         if (allocated(error)) return
         self%series(:, :, decade) = transpose(series_of_values(values))
         call basis_for(self%gel, shortest, 10.0_wp*shortest, basis, error, finer=.true.)
-        call answers(self%gel, basis, usual, shortest*10.0_wp**[0.3_wp, 0.7_wp], exact, error)
+        call answers(self%gel, basis, shortest*10.0_wp**[0.3_wp, 0.7_wp], exact, error)
         if (allocated(error)) return
         do i = 1, 2
             call compare(self, [(chebyshev_sum(self%series(:, j, decade), 0.8_wp*i - 1.2_wp), j=1, columns)], exact(:, i))
@@ -193,7 +193,7 @@ contains
             y = chebyshev_sum(self%series(:, column, decade), 2.0_wp*(x - (decade - 1)) - 1.0_wp)
         else
             call basis_for(self%gel, tau, tau, basis, error)
-            call answers(self%gel, basis, all_digits, [tau], all_values, error)
+            call answers(self%gel, basis, [tau], all_values, error)
             y = all_values(column, 1)
         end if
     end subroutine value
