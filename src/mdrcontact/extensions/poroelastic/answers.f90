@@ -21,9 +21,9 @@ module mdrcontact_poroelastic_answers
     integer, parameter :: columns = 7, relaxation = 1, creep = 2, paraboloid = 3, mean_relaxation = 4, mean_creep = 5, &
                           storage = 6, loss = 7
     !> Nodes of the inverse Laplace transform: at one time, with an error of 2e-11, of means 2e-9; and per sqrt(8 r + 1) of times up
-    !> to a factor r apart, with one of 1e-12: paths with steep ramps multiply differences of means at neighbouring times.
+    !> to a factor r apart, with one of 3e-15: paths with steep ramps multiply differences of means at neighbouring times.
     integer, parameter :: nodes = 12
-    real(wp), parameter :: density = 5.7_wp
+    real(wp), parameter :: density = 6.5_wp
 
 contains
 
