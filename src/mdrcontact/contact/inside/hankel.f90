@@ -11,10 +11,11 @@ module mdrcontact_inside_hankel
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_inside_states, only: depth_t, normal_rows, shear_rows, states_t
     use mdrcontact_inside_transform, only: hankel_transform
-    use mdrcontact_inside_waves, only: bessel_012, faded, first_panel, part_of_waves
+    use mdrcontact_inside_waves, only: faded, first_panel, part_of_waves
     use mdrcontact_gsl, only: gsl_sort_index
     use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: dgemm
+    use mdrcontact_numerics_bessel, only: bessel_t, new_bessel
     use mdrcontact_numerics_search, only: interval_of
     use mdrcontact_numerics_waves, only: wave_rule
     implicit none (type, external)
@@ -28,6 +29,7 @@ module mdrcontact_inside_hankel
     !> the wavenumbers, so that no more memory is needed for many layers.
     type :: hankel_t
         class(states_t), pointer :: states => null()
+        type(bessel_t) :: bessel
         !> wavenumbers and p_hat dk of the part
         real(wp), allocatable :: k(:), load(:)
         !> of all parts, and how many of them are known
@@ -64,6 +66,7 @@ contains
         real(wp), allocatable :: weight(:)
 
         self%states => states
+        call new_bessel(self%bessel)
         call wave_rule(first_panel/max(farthest, states%structure), last, farthest, self%all_k, weight, error)
         if (allocated(error)) return
         allocate (self%all_load(size(self%all_k)))
@@ -149,15 +152,12 @@ contains
         real(wp), intent(in) :: r
         integer, intent(in) :: first, last
         real(wp), intent(out) :: j(first:, 0:)
-        integer :: i
 
-        do i = first, last
-            if (self%states%along_surface) then
-                call bessel_012(self%k(i), r, j(i, 0), j(i, 1), j(i, 2))
-            else
-                call bessel_012(self%k(i), r, j(i, 0), j(i, 1))
-            end if
-        end do
+        if (self%states%along_surface) then
+            call self%bessel%at(self%k(first:last), r, j(:, 0), j(:, 1), j(:, 2))
+        else
+            call self%bessel%at(self%k(first:last), r, j(:, 0), j(:, 1))
+        end if
     end subroutine bessel_table
 
     !> Adds the sums at one point.
