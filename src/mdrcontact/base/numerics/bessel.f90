@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Bessel functions J0, J1 and J2 of many arguments at a time: the power series up to 1, Taylor series about equally spaced places up
-!> to 25, and Hankel's asymptotic series beyond, each to 1e-16.
+!> Bessel functions J0, J1 and J2 of many arguments at a time: the power series up to 1, Taylor series about equally spaced places
+!> up to 25, and Hankel's asymptotic series beyond, each to 1e-16.
 module mdrcontact_numerics_bessel
     use mdrcontact_gsl, only: gsl_sf_bessel_j0, gsl_sf_bessel_j1
     use mdrcontact_kinds, only: pi, wp

@@ -108,7 +108,7 @@ contains
 
     !> The largest values of quantities that belong to one layer, one interface or the free surface.
     subroutine largest_of(body, quantities, place, is_coarse, found, error)
-        type(stressed_t), intent(in) :: body
+        type(stressed_t), intent(inout) :: body
         integer, intent(in) :: quantities(:)
         !> which layer or interface, 0 is the first one
         integer, intent(in) :: place

@@ -324,7 +324,7 @@ contains
 
     !> The largest stress that a strength is about; the tension of the first layer includes that of its free surface.
     subroutine find_top(body, strength, is_coarse, top, error)
-        type(stressed_t), intent(in) :: body
+        type(stressed_t), intent(inout) :: body
         type(strength_t), intent(in) :: strength
         logical, intent(in) :: is_coarse
         type(maximum_t), intent(out) :: top

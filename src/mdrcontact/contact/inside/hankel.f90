@@ -29,7 +29,7 @@ module mdrcontact_inside_hankel
     !> the wavenumbers, so that no more memory is needed for many layers.
     type :: hankel_t
         class(states_t), pointer :: states => null()
-        type(bessel_t) :: bessel
+        type(bessel_t), allocatable :: bessel
         !> wavenumbers and p_hat dk of the part
         real(wp), allocatable :: k(:), load(:)
         !> of all parts, and how many of them are known
@@ -66,6 +66,7 @@ contains
         real(wp), allocatable :: weight(:)
 
         self%states => states
+        allocate (self%bessel)
         call new_bessel(self%bessel)
         call wave_rule(first_panel/max(farthest, states%structure), last, farthest, self%all_k, weight, error)
         if (allocated(error)) return

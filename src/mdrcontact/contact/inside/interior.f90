@@ -19,7 +19,7 @@ module mdrcontact_inside_interior
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: interior_field, state_field, check_distances, depth_of, infinite_pressure, components
+    public :: interior_field, state_field, check_distances, depth_of, infinite_pressure, components, kept_waves_t
     public :: u_r, u_t, u_z, s_rr, s_tt, s_zz, s_rz, s_rt, s_tz
 
     !> The components by their place in a result.
@@ -31,6 +31,29 @@ module mdrcontact_inside_interior
     real(wp), parameter :: shared_from = 0.5_wp
     !> Where the pressure is infinite, what is finite is taken this far below the surface: halfway if it jumps there [a].
     real(wp), parameter :: just_below = 1.0e-15_wp
+
+    !> A rule that is kept covers points whose a + r is no less than this part of its own.
+    real(wp), parameter :: nearest_kept = 0.25_wp
+    !> Rules that are kept at most, and nodes times layers of all of them, of 50 bytes each.
+    integer, parameter :: most_kept = 8
+    real(wp), parameter :: most_kept_amplitudes = 2.0e6_wp
+
+    !> The states of a body at the nodes of one rule of wavenumbers.
+    type :: waves_t
+        class(states_t), allocatable :: states
+        type(hankel_t) :: hankel
+        !> what it covers: a + r [a], wavenumbers [1/a]
+        real(wp) :: farthest = 0.0_wp, last = 0.0_wp
+    end type waves_t
+
+    !> What many fields of one load on one body share.
+    type :: kept_waves_t
+        private
+        !> the one after the last that is kept is for those that are not
+        type(waves_t) :: waves(most_kept + 1)
+        integer :: count = 0
+        real(wp) :: amplitudes = 0.0_wp
+    end type kept_waves_t
 
     !> Points whose sums must be found; `order` lists those of one prepared integral.
     type, extends(batch_t) :: points_t
@@ -56,7 +79,7 @@ contains
     !> Stresses are infinite where the load is singular on the surface: edge of a flat punch or of an adhesive contact, apex of
     !> a cone, edge of a flat end. With friction so are the shear tractions. Signs are those inside the contact. What jumps there
     !> has the value just below the surface, halfway: s_rt at the edge of a flat end.
-    subroutine interior_field(load, layers, r, z, below, field, error, friction, angle, threads)
+    subroutine interior_field(load, layers, r, z, below, field, error, friction, angle, threads, kept)
         class(load_t), intent(in), target :: load
         type(layers_t), intent(in) :: layers
         !> distance from the axis r >= 0 and depth z >= 0 [length]
@@ -71,6 +94,8 @@ contains
         real(wp), intent(in) :: friction, angle(:)
         !> how many threads
         integer, intent(in) :: threads
+        !> of earlier fields of this load and these layers
+        type(kept_waves_t), intent(inout), target, optional :: kept
         type(depth_t), allocatable :: depths(:)
         type(layer_states_t), target :: states
         type(lattice_t) :: lattice
@@ -86,11 +111,11 @@ contains
         if (allocated(error)) return
         call set_depths(load, layers, r, z, below, lattice%is_grid, depths, error)
         if (allocated(error)) return
-        call state_field(load, states, lattice, r, z, depths, field, error, friction, angle, threads)
+        call state_field(load, states, lattice, r, z, depths, field, error, friction, angle, threads, kept)
     end subroutine interior_field
 
     !> The field of a body whose states are known, at points with what is known of their depths; see interior_field.
-    subroutine state_field(load, states, lattice, r, z, depths, field, error, friction, angle, threads)
+    subroutine state_field(load, states, lattice, r, z, depths, field, error, friction, angle, threads, kept)
         class(load_t), intent(in), target :: load
         class(states_t), intent(inout), target :: states
         type(lattice_t), intent(in) :: lattice
@@ -101,6 +126,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp), intent(in) :: friction, angle(:)
         integer, intent(in) :: threads
+        type(kept_waves_t), intent(inout), target, optional :: kept
         real(wp), allocatable :: radii(:), sums(:, :)
         integer :: stat
 
@@ -109,7 +135,7 @@ contains
         if (stat /= 0) return
         radii(:) = r/load%radius
         call states%turn(.false., depths, error)
-        if (.not. allocated(error)) call find_sums(load, states, lattice, r, radii, depths, sums, threads, error)
+        if (.not. allocated(error)) call find_sums(load, states, lattice, r, radii, depths, sums, threads, error, kept)
         if (allocated(error)) return
         call normal_components(depths, radii, load%radius, sums, field)
         if (friction /= 0.0_wp) then
@@ -118,7 +144,7 @@ contains
             call check_memory(error, stat)
             if (stat /= 0) return
             call states%turn(.true., depths, error)
-            if (.not. allocated(error)) call find_sums(load, states, lattice, r, radii, depths, sums, threads, error)
+            if (.not. allocated(error)) call find_sums(load, states, lattice, r, radii, depths, sums, threads, error, kept)
             if (allocated(error)) return
             call add_shear_components(depths, radii, load%radius, sums, friction, angle, field)
         end if
@@ -203,7 +229,7 @@ contains
     end function depth_of
 
     !> The sums of all points, for a load across or along the surface.
-    subroutine find_sums(load, states, lattice, position, r, depths, sums, threads, error)
+    subroutine find_sums(load, states, lattice, position, r, depths, sums, threads, error, kept)
         class(load_t), intent(in), target :: load
         class(states_t), intent(inout), target :: states
         type(lattice_t), intent(in) :: lattice
@@ -213,10 +239,13 @@ contains
         real(wp), intent(out), target :: sums(:, :)
         integer, intent(in) :: threads
         type(error_t), allocatable, intent(out) :: error
+        type(kept_waves_t), intent(inout), target, optional :: kept
         type(points_t) :: points
-        type(hankel_t), target :: hankel
+        type(kept_waves_t), target :: own
+        type(hankel_t), pointer :: hankel
         logical, allocatable :: waiting(:), chosen(:)
-        real(wp) :: reach
+        logical :: is_ready
+        real(wp) :: reach, farthest, last
         integer :: n, stat
 
         allocate (waiting(size(r)), chosen(size(r)), points%order(size(r)), stat=stat)
@@ -244,20 +273,83 @@ contains
             reach = max(3.0_wp, 2.0_wp*(1.0_wp + minval(r, mask=waiting)))
             chosen(:) = waiting .and. 1.0_wp + r <= reach
             waiting(:) = waiting .and. .not. chosen
-            call new_hankel(hankel, load, states, 1.0_wp + maxval(r, mask=chosen), maxval(depths%last, mask=chosen), error)
-            if (allocated(error)) return
-            points%hankel => hankel
+            farthest = 1.0_wp + maxval(r, mask=chosen)
+            last = maxval(depths%last, mask=chosen)
             call list_chosen(chosen, points%order, n)
-            do while (hankel%next_part(error))
-                if (lattice%is_grid) then
-                    call add_on_grid(hankel, lattice, depths, r, points%order(:n), sums, threads, error)
-                else
-                    call run_batch(points, n, 16, 32, threads, error)
-                end if
+            is_ready = present(kept)
+            if (present(kept)) then
+                call find_waves(kept, load, states, farthest, last, hankel, is_ready, error)
+            else
+                call find_waves(own, load, states, farthest, last, hankel, is_ready, error)
+            end if
+            if (allocated(error)) return
+            if (is_ready) call add_part(points, hankel, lattice, n, threads, error)
+            do while (.not. is_ready)
+                if (.not. hankel%next_part(error)) exit
+                call add_part(points, hankel, lattice, n, threads, error)
             end do
             if (allocated(error)) return
         end do
     end subroutine find_sums
+
+    !> The kept rule of the least reach that covers some points, or a new one.
+    subroutine find_waves(kept, load, states, farthest, last, hankel, is_ready, error)
+        type(kept_waves_t), intent(inout), target :: kept
+        class(load_t), intent(in) :: load
+        class(states_t), intent(in) :: states
+        !> largest a + r [a] and largest wavenumber [1/a]
+        real(wp), intent(in) :: farthest, last
+        type(hankel_t), pointer, intent(out) :: hankel
+        !> whether it may be kept; then whether it is, with all its nodes as one part
+        logical, intent(inout) :: is_ready
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: least, amplitudes
+        integer :: i
+
+        hankel => null()
+        least = farthest/nearest_kept
+        do i = 1, kept%count
+            associate (waves => kept%waves(i))
+                if (waves%states%along_surface .neqv. states%along_surface) cycle
+                if (waves%farthest < farthest .or. waves%last < last .or. waves%farthest > least) cycle
+                least = waves%farthest
+                hankel => kept%waves(i)%hankel
+                hankel%states => kept%waves(i)%states
+            end associate
+        end do
+        if (associated(hankel)) return
+        associate (waves => kept%waves(kept%count + 1))
+            hankel => kept%waves(kept%count + 1)%hankel
+            if (allocated(waves%states)) deallocate (waves%states)
+            allocate (waves%states, source=states)
+            waves%farthest = farthest
+            waves%last = last
+            call new_hankel(hankel, load, waves%states, farthest, last, error)
+            if (allocated(error)) return
+            amplitudes = kept%amplitudes + real(size(hankel%all_k), wp)*real(states%steps, wp)
+            is_ready = is_ready .and. kept%count < most_kept .and. amplitudes <= most_kept_amplitudes
+            if (.not. is_ready) return
+            if (.not. hankel%next_part(error)) return
+        end associate
+        kept%amplitudes = amplitudes
+        kept%count = kept%count + 1
+    end subroutine find_waves
+
+    !> Adds the integrals over a part of the wavenumbers to the sums of the first n points in `order`.
+    subroutine add_part(points, hankel, lattice, n, threads, error)
+        type(points_t), intent(inout) :: points
+        type(hankel_t), intent(in), target :: hankel
+        type(lattice_t), intent(in) :: lattice
+        integer, intent(in) :: n, threads
+        type(error_t), allocatable, intent(inout) :: error
+
+        points%hankel => hankel
+        if (lattice%is_grid) then
+            call add_on_grid(hankel, lattice, points%depths, points%r, points%order(:n), points%sums, threads, error)
+        else
+            call run_batch(points, n, 16, 32, threads, error)
+        end if
+    end subroutine add_part
 
     !> The places of the n chosen points come first in `order`.
     pure subroutine list_chosen(chosen, order, n)

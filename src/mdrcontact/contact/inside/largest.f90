@@ -8,7 +8,8 @@ module mdrcontact_inside_largest
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, tension, tresca, von_mises
     use mdrcontact_error, only: error_t
-    use mdrcontact_inside_interior, only: components, infinite_pressure, interior_field, s_rr, s_rz, s_tt, s_zz
+    use mdrcontact_inside_interior, only: components, infinite_pressure, interior_field, kept_waves_t, s_rr, &
+                                          s_rz, s_tt, s_zz
     use mdrcontact_gsl, only: gsl_sort
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_medium_load, only: load_t
@@ -46,6 +47,8 @@ module mdrcontact_inside_largest
         !> radii on the surface where stresses are infinite [length]
         real(wp), allocatable :: singular(:)
         integer :: threads = 1
+        !> of the fields that were computed before
+        type(kept_waves_t) :: kept
     contains
         procedure :: mark_singular
         procedure :: largest
@@ -114,7 +117,7 @@ contains
 
     !> The largest values of some quantities in a box. What a coarse search gives is the largest on its grid.
     subroutine largest(self, box, quantities, is_coarse, found, error)
-        class(stressed_t), intent(in) :: self
+        class(stressed_t), intent(inout) :: self
         type(box_t), intent(in) :: box
         integer, intent(in) :: quantities(:)
         logical, intent(in) :: is_coarse
@@ -155,7 +158,7 @@ contains
 
     !> Follows a peak on ever smaller grids around the largest value.
     subroutine find_peak(self, box, first_r, first_z, part, peak, error)
-        class(stressed_t), intent(in) :: self
+        class(stressed_t), intent(inout) :: self
         type(box_t), intent(in) :: box
         !> the part of the box around the peak [length]
         real(wp), intent(in) :: first_r(2), first_z(2)
@@ -197,7 +200,7 @@ contains
 
     !> The values of some parts on a grid; -infinity next to what is singular.
     subroutine find_values(self, r, z, angle, parts, values, error)
-        class(stressed_t), intent(in) :: self
+        class(stressed_t), intent(inout), target :: self
         !> [length]
         real(wp), intent(in) :: r(:), z(:)
         real(wp), intent(in) :: angle
@@ -218,7 +221,8 @@ contains
             all_z((i - 1)*size(z) + 1:i*size(z)) = z
         end do
         all_angles = angle
-        call interior_field(self%load, self%layers, all_r, all_z, .false., field, error, self%friction, all_angles, self%threads)
+        call interior_field(self%load, self%layers, all_r, all_z, .false., field, error, self%friction, all_angles, self%threads, &
+                            self%kept)
         if (allocated(error)) return
         do k = 1, size(parts)
             do j = 1, size(z)

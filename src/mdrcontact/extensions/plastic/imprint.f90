@@ -396,7 +396,7 @@ contains
     !> The largest von Mises stress over the yield stress of a layer, and the layer. A coarse search gives that of its grids, and
     !> ends with a layer that yields by far.
     subroutine find_largest(body, yield_stress, is_coarse, ratio, layer, error)
-        type(stressed_t), intent(in) :: body
+        type(stressed_t), intent(inout) :: body
         real(wp), intent(in) :: yield_stress(:)
         logical, intent(in) :: is_coarse
         real(wp), intent(out) :: ratio
