@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The largest value of a stress in a part of a loaded body, in the plane of symmetry: of all azimuths without friction, of sliding
-!> with it. It is searched for on a grid, and from its highest peaks on ever smaller ones.
+!> with it. It is searched for on a grid, from its highest peaks on smaller ones, and on the polynomials through these.
 module mdrcontact_inside_largest
     use, intrinsic :: iso_c_binding, only: c_size_t
     use mdrcontact_nonfinite, only: infinity, is_finite
@@ -38,6 +38,17 @@ module mdrcontact_inside_largest
         real(wp) :: r(2) = 0.0_wp, z(2) = 0.0_wp
     end type box_t
 
+    !> Values on a grid around a peak.
+    type :: grid_t
+        !> [length]
+        real(wp), allocatable :: r(:), z(:)
+        !> (radius, depth, part) [modulus]
+        real(wp), allocatable :: values(:, :, :)
+        real(wp) :: angle = 0.0_wp
+        !> the place of the peak in the first grid: radius, depth, azimuth
+        integer :: peak(3) = 0
+    end type grid_t
+
     !> A body of layers under a load and its friction.
     type :: stressed_t
         class(load_t), allocatable :: load
@@ -68,6 +79,8 @@ module mdrcontact_inside_largest
     real(wp), parameter :: smallest = 4.0_wp**(-7)
     !> Grids at most: some are shifted to where values rise.
     integer, parameter :: most_grids = 24
+    !> Largest difference of the polynomial through a grid from the stress where it is largest, of the grid's largest value.
+    real(wp), parameter :: agreement = 1.0e-11_wp
     !> So many peaks of the grid are followed, which fall short of the highest one by no more than this part of the range of values.
     integer, parameter :: most_peaks = 4
     real(wp), parameter :: noticed = 0.2_wp
@@ -126,7 +139,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: r(:), z(:), values(:, :, :, :)
         integer, allocatable :: peaks(:, :), parts(:)
-        type(maximum_t) :: peak
+        type(grid_t) :: grids(most_peaks*size(quantities))
         integer :: azimuths, i, k
         integer, parameter :: all_parts(*) = [(i, i=1, size_of_parts)]
         real(wp), parameter :: angle(2) = [0.0_wp, pi]
@@ -145,57 +158,193 @@ contains
             peaks = peaks_of(values(:, :, :, parts), merge(1, most_peaks, is_coarse))
             do k = 1, size(peaks, 2)
                 associate (at => peaks(:, k))
-                    peak = maximum_t(quantities(i), 0, values(at(1), at(2), at(3), parts(at(4))), r(at(1)), z(at(2)), angle(at(3)))
-                    if (.not. is_coarse) then
-                        call find_peak(self, box, around(r, at(1)), around(z, at(2)), parts(at(4)), peak, error)
-                    end if
+                    at(4) = parts(at(4))
+                    if (k > 1) cycle
+                    found(i) = maximum_t(quantities(i), 0, values(at(1), at(2), at(3), at(4)), r(at(1)), z(at(2)), angle(at(3)))
                 end associate
-                if (allocated(error)) return
-                if (peak%value > found(i)%value) found(i) = peak
             end do
+            if (.not. is_coarse) call follow_peaks(self, box, r, z, values, peaks, grids, found(i), error)
+            if (allocated(error)) return
         end do
     end subroutine largest
 
-    !> Follows a peak on ever smaller grids around the largest value.
-    subroutine find_peak(self, box, first_r, first_z, part, peak, error)
+    !> Follows the peaks of a quantity from what the first smaller grid of each promises, the highest one first. Lower ones are left
+    !> out, unless they may still rise above it as much as they rose from the first grid to this one.
+    subroutine follow_peaks(self, box, r, z, values, peaks, grids, found, error)
         class(stressed_t), intent(inout) :: self
         type(box_t), intent(in) :: box
-        !> the part of the box around the peak [length]
-        real(wp), intent(in) :: first_r(2), first_z(2)
+        !> the first grid [length], and what it has: (radius, depth, azimuth, part)
+        real(wp), intent(in) :: r(:), z(:), values(:, :, :, :)
+        !> (radius, depth, azimuth, part; peak)
+        integer, intent(in) :: peaks(:, :)
+        !> the first smaller grids, also those of other quantities
+        type(grid_t), intent(inout) :: grids(:)
+        type(maximum_t), intent(inout) :: found
+        type(error_t), allocatable, intent(inout) :: error
+        type(maximum_t) :: peak
+        real(wp) :: promised(size(peaks, 2)), first, reachable, top(3)
+        integer :: which(size(peaks, 2)), k, i
+
+        do k = 1, size(peaks, 2)
+            call find_grid(self, r, z, peaks(:, k), grids, which(k), error)
+            if (allocated(error)) return
+            call find_top(grids(which(k)), peaks(4, k), top)
+            promised(k) = max(top(1), maxval(grids(which(k))%values(:, :, peaks(4, k))))
+        end do
+        do i = 1, size(peaks, 2)
+            k = maxloc(promised, 1)
+            associate (at => peaks(:, k), grid => grids(which(k)))
+                first = values(at(1), at(2), at(3), at(4))
+                reachable = promised(k) + max(promised(k) - first, 0.0_wp)
+                if (i == 1 .or. reachable > found%value) then
+                    peak = maximum_t(found%quantity, 0, first, r(at(1)), z(at(2)), grid%angle)
+                    call find_peak(self, box, grid, at(4), peak, error)
+                    if (allocated(error)) return
+                    if (peak%value > found%value .or. i == 1) found = peak
+                end if
+            end associate
+            promised(k) = -infinity
+        end do
+    end subroutine follow_peaks
+
+    !> The first smaller grid around a peak, unless it is known.
+    subroutine find_grid(self, r, z, peak, grids, which, error)
+        class(stressed_t), intent(inout) :: self
+        real(wp), intent(in) :: r(:), z(:)
+        integer, intent(in) :: peak(:)
+        type(grid_t), intent(inout) :: grids(:)
+        integer, intent(out) :: which
+        type(error_t), allocatable, intent(inout) :: error
+        integer, parameter :: all_parts(*) = [(which, which=1, size_of_parts)]
+
+        do which = 1, size(grids)
+            associate (grid => grids(which))
+                if (all(grid%peak == peak(:3))) return
+                if (any(grid%peak > 0)) cycle
+                grid%peak = peak(:3)
+                grid%angle = merge(0.0_wp, pi, peak(3) == 1)
+                call fill_grid(self, around(r, peak(1)), around(z, peak(2)), all_parts, grid, error)
+                return
+            end associate
+        end do
+    end subroutine find_grid
+
+    !> Values on a smaller grid from end to end.
+    subroutine fill_grid(self, ends_r, ends_z, parts, grid, error)
+        class(stressed_t), intent(inout) :: self
+        !> [length]
+        real(wp), intent(in) :: ends_r(2), ends_z(2)
+        !> all of them, or the one that is needed
+        integer, intent(in) :: parts(:)
+        type(grid_t), intent(inout) :: grid
+        type(error_t), allocatable, intent(inout) :: error
+
+        grid%r = evenly(ends_r)
+        grid%z = evenly(ends_z)
+        if (allocated(grid%values)) deallocate (grid%values)
+        allocate (grid%values(size(grid%r), size(grid%z), size(parts)))
+        call find_values(self, grid%r, grid%z, grid%angle, parts, grid%values, error)
+    end subroutine fill_grid
+
+    !> Follows a peak on ever smaller grids around the largest value, until the polynomial through a grid meets the stress where it
+    !> is largest.
+    subroutine find_peak(self, box, first, part, peak, error)
+        class(stressed_t), intent(inout) :: self
+        type(box_t), intent(in) :: box
+        !> around the peak, with all parts
+        type(grid_t), intent(in) :: first
         !> what has the peak
         integer, intent(in) :: part
         type(maximum_t), intent(inout) :: peak
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: ends_r(2), ends_z(2)
-        real(wp), allocatable :: r(:), z(:), values(:, :, :)
-        integer :: grid, at(2)
+        type(grid_t) :: grid
+        real(wp) :: ends_r(2), ends_z(2), top(3), there(1, 1, 1)
+        integer :: i, at(2)
 
-        ends_r = first_r
-        ends_z = first_z
-        do grid = 1, most_grids
-            r = evenly(ends_r)
-            z = evenly(ends_z)
-            if (allocated(values)) deallocate (values)
-            allocate (values(size(r), size(z), 1))
-            call find_values(self, r, z, peak%angle, [part], values, error)
+        grid = first
+        grid%values = first%values(:, :, part:part)
+        do i = 1, most_grids
+            associate (r => grid%r, z => grid%z, values => grid%values(:, :, 1))
+                at = maxloc(values)
+                call raise_peak(peak, values(at(1), at(2)), r(at(1)), z(at(2)))
+                ends_r = closer(r, at(1), box%r)
+                ends_z = closer(z, at(2), box%z)
+                if (ends_r(1) >= r(1) .and. ends_r(2) <= r(size(r)) .and. ends_z(1) >= z(1) .and. ends_z(2) <= z(size(z))) then
+                    call find_top(grid, 1, top)
+                    if (top(1) > -infinity) then
+                        call find_values(self, top(2:2), top(3:3), grid%angle, [part], there, error)
+                        if (allocated(error)) return
+                        call raise_peak(peak, there(1, 1, 1), top(2), top(3))
+                        if (abs(there(1, 1, 1) - top(1)) <= agreement*maxval(abs(values))) return
+                    end if
+                end if
+            end associate
+            if (length(ends_r) <= smallest*length(first%r) .and. length(ends_z) <= smallest*length(first%z)) return
+            call fill_grid(self, ends_r, ends_z, [part], grid, error)
             if (allocated(error)) return
-            at = maxloc(values(:, :, 1))
-            if (values(at(1), at(2), 1) >= peak%value) then
-                peak%value = values(at(1), at(2), 1)
-                peak%r = r(at(1))
-                peak%z = z(at(2))
-            end if
-            ends_r = closer(r, at(1), box%r)
-            ends_z = closer(z, at(2), box%z)
-            if (length(ends_r) <= smallest*length(first_r) .and. length(ends_z) <= smallest*length(first_z)) return
         end do
     end subroutine find_peak
 
-    pure function length(ends)
-        real(wp), intent(in) :: ends(2)
+    pure subroutine raise_peak(peak, value, r, z)
+        type(maximum_t), intent(inout) :: peak
+        !> of another point
+        real(wp), intent(in) :: value, r, z
+
+        if (value < peak%value) return
+        peak%value = value
+        peak%r = r
+        peak%z = z
+    end subroutine raise_peak
+
+    !> The largest value and its place, by the polynomial through a grid; -infinity where values are infinite.
+    pure subroutine find_top(grid, part, top)
+        type(grid_t), intent(in) :: grid
+        integer, intent(in) :: part
+        !> value, radius, depth
+        real(wp), intent(out) :: top(3)
+        real(wp), allocatable :: r(:), z(:), here(:, :)
+        real(wp) :: all_r(2), all_z(2)
+        integer :: i, at(2)
+
+        top = -infinity
+        associate (values => grid%values(:, :, part))
+            if (.not. all(is_finite(values))) return
+            r = grid%r
+            z = grid%z
+            all_r = r([1, size(r)])
+            all_z = z([1, size(z)])
+            here = values
+            do i = 1, most_grids
+                at = maxloc(here)
+                if (here(at(1), at(2)) > top(1)) top = [here(at(1), at(2)), r(at(1)), z(at(2))]
+                if (length(r) <= smallest*length(all_r) .and. length(z) <= smallest*length(all_z)) return
+                r = evenly(closer(r, at(1), all_r))
+                z = evenly(closer(z, at(2), all_z))
+                if (size(r) < size(grid%r) .or. size(z) < size(grid%z)) return
+                here = matmul(matmul(polynomials(grid%r, r), values), transpose(polynomials(grid%z, z)))
+            end do
+        end associate
+    end subroutine find_top
+
+    !> The Lagrange polynomials of places at others: (other place, place).
+    pure function polynomials(places, x) result(values)
+        real(wp), intent(in) :: places(:), x(:)
+        real(wp) :: values(size(x), size(places))
+        integer :: i, j
+
+        values = 1.0_wp
+        do i = 1, size(places)
+            do j = 1, size(places)
+                if (j /= i) values(:, i) = values(:, i)*((x - places(j))/(places(i) - places(j)))
+            end do
+        end do
+    end function polynomials
+
+    pure function length(x)
+        real(wp), intent(in) :: x(:)
         real(wp) :: length
 
-        length = ends(2) - ends(1)
+        length = x(size(x)) - x(1)
     end function length
 
     !> The values of some parts on a grid; -infinity next to what is singular.
