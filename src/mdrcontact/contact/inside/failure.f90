@@ -47,13 +47,30 @@ module mdrcontact_inside_failure
         integer :: threads = 1
     end type search_t
 
+    !> Logarithms of two radii between which a strength is reached, levels of the excess there, and the end before.
+    type :: bracket_t
+        real(wp) :: low = 0.0_wp, high = 0.0_wp, before = 0.0_wp
+        real(wp) :: below = 0.0_wp, above = 0.0_wp, level_before = 0.0_wp
+        logical :: is_known = .false.
+        !> how often in turn it was not halved
+        integer :: slow = 0
+    contains
+        procedure :: next
+        procedure :: shrink
+    end type bracket_t
+
     !> Radii at first, from this part of the largest one on, which is so many times as thick as all layers by default.
     integer, parameter :: samples = 16
     real(wp), parameter :: first_part = 1.0e-4_wp, widest = 30.0_wp
     !> A body without layers under a flat end is looked into up to so many radii of that.
     real(wp), parameter :: beyond_end = 3.0_wp
-    !> On the coarse grid a maximum may be missed by some per cent: the strength may be reached a little before the sample.
+    !> On the coarse grid a maximum may be missed by some per cent: the strength may be reached a little before the sample, by this
+    !> factor of the radius or this part of the strength.
     real(wp), parameter :: slack = 1.1_wp
+    real(wp), parameter :: missed = 0.2_wp
+    !> Least stress over strength that a bracket tells from none, and how often in turn it may not be halved.
+    real(wp), parameter :: least_part = 1.0e-2_wp
+    integer, parameter :: most_slow = 3
     !> Relative tolerance of the stress at the strength, or of the radius.
     real(wp), parameter :: tolerance = 1.0e-9_wp, narrowest = 1.0e-12_wp
     integer, parameter :: most_steps = 100
@@ -129,22 +146,24 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(contact_state_t) :: state
         type(stressed_t) :: body
-        type(maximum_t) :: top
+        type(maximum_t) :: tops(size(strengths))
         integer :: i
 
         n = 0
         if (allocated(error)) return
         call search%contact%at_depth(punch_depth*radius, state, error)
         if (.not. allocated(error)) call look_into(search, state, body, error)
+        call find_tops(body, strengths, spread(.true., 1, size(strengths)), .false., tops, error)
         do i = 1, size(strengths)
-            call find_top(body, strengths(i), .false., top, error)
             if (allocated(error)) return
-            if (.not. top%value > 0.0_wp .or. is_beside_edge(body, top)) cycle
-            n = n + 1
-            found(n)%strength = strengths(i)
-            found(n)%at = top
-            found(n)%at%value = strengths(i)%value
-            call search%contact%at_depth(state%depth*strengths(i)%value/top%value, found(n)%state, error)
+            associate (top => tops(i))
+                if (.not. top%value > 0.0_wp .or. is_beside_edge(body, top)) cycle
+                n = n + 1
+                found(n)%strength = strengths(i)
+                found(n)%at = top
+                found(n)%at%value = strengths(i)%value
+                call search%contact%at_depth(state%depth*strengths(i)%value/top%value, found(n)%state, error)
+            end associate
         end do
     end subroutine find_under_punch
 
@@ -195,101 +214,150 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(stressed_t) :: body
         type(contact_state_t) :: state
-        type(maximum_t) :: top
+        type(maximum_t) :: tops(size(strengths))
         logical :: is_reached(size(strengths))
+        real(wp) :: excess(size(strengths), size(radii))
         integer :: i, k
 
         n = 0
         is_reached = .false.
+        excess = -1.0_wp
         do k = 1, size(radii)
             if (.not. allocated(error)) call search%contact%at_radius(radii(k), state, error)
             if (.not. allocated(error)) call look_into(search, state, body, error)
+            call find_tops(body, strengths, .not. is_reached, .true., tops, error)
+            if (allocated(error)) return
             do i = 1, size(strengths)
                 if (is_reached(i)) cycle
-                call find_top(body, strengths(i), .true., top, error)
+                if (.not. is_beside_edge(body, tops(i))) excess(i, k) = tops(i)%value/strengths(i)%value - 1.0_wp
+                if (excess(i, k) < 0.0_wp) cycle
+                call find_first(search, radii(:k), excess(i, :k), strengths(i), found(n + 1), is_reached(i), error)
                 if (allocated(error)) return
-                if (top%value < strengths(i)%value .or. is_beside_edge(body, top)) cycle
-                call find_first(search, radii(:k), strengths(i), found(n + 1), is_reached(i), error)
                 if (is_reached(i)) n = n + 1
             end do
             call report_progress(real(k, wp)/real(size(radii), wp))
-            if (allocated(error) .or. all(is_reached)) return
+            if (all(is_reached)) return
         end do
     end subroutine find_all
 
     !> Where a strength is first reached, which it is at the last radius or, on a finer grid, a little before.
-    subroutine find_first(search, radii, strength, found, is_reached, error)
+    subroutine find_first(search, radii, coarse, strength, found, is_reached, error)
         type(search_t), intent(in) :: search
         !> ascending [length]
         real(wp), intent(in) :: radii(:)
+        !> excess on the coarse grids there
+        real(wp), intent(in) :: coarse(:)
         type(strength_t), intent(in) :: strength
         type(failure_load_t), intent(inout) :: found
         !> not where what the last radius has belongs to a singular edge
         logical, intent(out) :: is_reached
         type(error_t), allocatable, intent(inout) :: error
         type(failure_load_t) :: below
-        real(wp) :: low, high, excess_low, excess_high
+        type(bracket_t) :: bracket
+        real(wp) :: low, excess
         integer :: k
 
         k = size(radii)
-        high = radii(k)
-        call find_excess(search, strength, high, found, excess_high, error)
-        is_reached = excess_high >= 0.0_wp
+        call find_excess(search, strength, radii(k), found, excess, error)
+        is_reached = excess >= 0.0_wp
+        bracket%high = log(radii(k))
+        bracket%above = level(excess)
         do while (is_reached .and. k > 1 .and. .not. allocated(error))
             k = k - 1
             low = radii(k)
-            if (k == size(radii) - 1) low = max(low/slack, radii(1))
-            call find_excess(search, strength, low, below, excess_low, error)
-            if (excess_low < 0.0_wp) then
-                call close_in(search, strength, low, excess_low, high, excess_high, found, error)
+            excess = coarse(k)
+            if (excess >= -missed) then
+                if (k == size(radii) - 1) low = max(low/slack, radii(1))
+                call find_excess(search, strength, low, below, excess, error)
+            end if
+            if (excess < 0.0_wp) then
+                bracket%low = log(low)
+                bracket%below = level(excess)
+                call close_in(search, strength, bracket, found, error)
                 return
             end if
-            high = low
-            excess_high = excess_low
+            bracket%high = log(low)
+            bracket%above = level(excess)
             found = below
         end do
     end subroutine find_first
 
-    !> The radius between two at which the stress is the strength, by regula falsi (Illinois) in the logarithms of radii.
-    subroutine close_in(search, strength, first_low, first_excess, high, excess_high, found, error)
+    !> The excess as a logarithm: stresses are nearly powers of the radius.
+    elemental function level(excess)
+        real(wp), intent(in) :: excess
+        real(wp) :: level
+
+        level = log(max(1.0_wp + excess, least_part))
+    end function level
+
+    !> The radius between two at which the stress is the strength, found's to begin with.
+    subroutine close_in(search, strength, bracket, found, error)
         type(search_t), intent(in) :: search
         type(strength_t), intent(in) :: strength
-        !> below it the strength is not reached, at the other end it is
-        real(wp), intent(in) :: first_low, first_excess
-        real(wp), intent(inout) :: high, excess_high
+        type(bracket_t), intent(inout) :: bracket
         !> that of the upper end
         type(failure_load_t), intent(inout) :: found
         type(error_t), allocatable, intent(inout) :: error
         type(failure_load_t) :: here
-        real(wp) :: low, excess_low, middle, excess, part
-        integer :: step, side
+        real(wp) :: middle, excess
+        integer :: step
 
-        low = first_low
-        excess_low = first_excess
-        side = 0
         do step = 1, most_steps
-            if (log(high/low) <= narrowest .or. excess_high <= tolerance) return
-            part = excess_high/(excess_high - excess_low)
-            middle = high*(low/high)**part
-            call find_excess(search, strength, middle, here, excess, error)
+            if (bracket%high - bracket%low <= narrowest .or. bracket%above <= tolerance) return
+            middle = bracket%next()
+            call find_excess(search, strength, exp(middle), here, excess, error)
             if (allocated(error)) return
             if (abs(excess) <= tolerance) then
                 found = here
                 return
-            else if (excess < 0.0_wp) then
-                low = middle
-                excess_low = excess
-                if (side < 0) excess_high = 0.5_wp*excess_high
-                side = -1
-            else
-                high = middle
-                excess_high = excess
-                found = here
-                if (side > 0) excess_low = 0.5_wp*excess_low
-                side = 1
             end if
+            if (excess > 0.0_wp) found = here
+            call bracket%shrink(middle, level(excess))
         end do
     end subroutine close_in
+
+    !> Where to look next: where the parabola through the ends and the end before has its root, if that narrows the bracket as much as
+    !> half of what is left each second time; the middle otherwise.
+    pure function next(self) result(x)
+        class(bracket_t), intent(in) :: self
+        real(wp) :: x
+        real(wp) :: low, high, before
+
+        low = self%below
+        high = self%above
+        x = self%low - low/(high - low)*(self%high - self%low)
+        if (self%is_known) then
+            before = self%level_before
+            if (before < low .or. before > high) then
+                x = self%low*high*before/((low - high)*(low - before)) + self%high*low*before/((high - low)*(high - before)) &
+                    + self%before*low*high/((before - low)*(before - high))
+            end if
+        end if
+        if (self%slow >= most_slow .or. .not. (x > self%low .and. x < self%high)) x = 0.5_wp*(self%low + self%high)
+    end function next
+
+    !> Replaces the end on the side of a new place.
+    pure subroutine shrink(self, x, value)
+        class(bracket_t), intent(inout) :: self
+        !> log of a radius, and the level there
+        real(wp), intent(in) :: x, value
+        real(wp) :: width
+
+        width = self%high - self%low
+        self%is_known = .true.
+        if (value < 0.0_wp) then
+            self%before = self%low
+            self%level_before = self%below
+            self%low = x
+            self%below = value
+        else
+            self%before = self%high
+            self%level_before = self%above
+            self%high = x
+            self%above = value
+        end if
+        self%slow = merge(0, self%slow + 1, self%high - self%low <= 0.5_wp*width)
+    end subroutine shrink
 
     !> Excess of the largest stress over the strength at a radius, relative to it; -1 next to a singular edge.
     subroutine find_excess(search, strength, radius, failure, excess, error)
@@ -301,14 +369,17 @@ contains
         real(wp), intent(out) :: excess
         type(error_t), allocatable, intent(inout) :: error
         type(stressed_t) :: body
+        type(maximum_t) :: top(1)
 
         excess = -1.0_wp
         failure%strength = strength
         if (.not. allocated(error)) call search%contact%at_radius(radius, failure%state, error)
         if (.not. allocated(error)) call look_into(search, failure%state, body, error)
         if (allocated(error)) return
-        call find_top(body, strength, .false., failure%at, error)
-        if (.not. (allocated(error) .or. is_beside_edge(body, failure%at))) excess = failure%at%value/strength%value - 1.0_wp
+        call find_tops(body, [strength], [.true.], .false., top, error)
+        if (allocated(error)) return
+        failure%at = top(1)
+        if (.not. is_beside_edge(body, failure%at)) excess = failure%at%value/strength%value - 1.0_wp
     end subroutine find_excess
 
     subroutine look_into(search, state, body, error)
@@ -322,21 +393,64 @@ contains
         if (.not. allocated(error)) call new_stressed(body, load, search%upper, search%friction, error, search%threads)
     end subroutine look_into
 
-    !> The largest stress that a strength is about; the tension of the first layer includes that of its free surface.
-    subroutine find_top(body, strength, is_coarse, top, error)
+    !> The largest stresses that chosen strengths are about, those of one place together; the tension of the first layer includes
+    !> that of its free surface.
+    subroutine find_tops(body, strengths, chosen, is_coarse, tops, error)
         type(stressed_t), intent(inout) :: body
-        type(strength_t), intent(in) :: strength
-        logical, intent(in) :: is_coarse
-        type(maximum_t), intent(out) :: top
+        type(strength_t), intent(in) :: strengths(:)
+        logical, intent(in) :: chosen(:), is_coarse
+        !> same size as strengths; those that are not chosen are not defined
+        type(maximum_t), intent(out) :: tops(:)
         type(error_t), allocatable, intent(inout) :: error
         type(maximum_t) :: found(1)
+        logical :: waiting(size(strengths)), here(size(strengths))
+        integer :: i
 
-        call largest_of(body, [strength%quantity], strength%place, is_coarse, found, error)
-        top = found(1)
-        if (strength%quantity /= tension .or. strength%place > 0) return
+        waiting = chosen
+        do i = 1, size(strengths)
+            if (.not. waiting(i)) cycle
+            here = waiting .and. strengths%place == strengths(i)%place
+            here = here .and. kind_of(strengths%quantity) == kind_of(strengths(i)%quantity)
+            call find_together(body, strengths, here, is_coarse, tops, error)
+            if (allocated(error)) return
+            waiting = waiting .and. .not. here
+        end do
+        if (.not. any(chosen .and. strengths%quantity == tension .and. strengths%place == 0)) return
         call largest_of(body, [free_surface_tension], 0, is_coarse, found, error)
-        if (found(1)%value > top%value) top = found(1)
-    end subroutine find_top
+        do i = 1, size(strengths)
+            if (strengths(i)%quantity /= tension .or. strengths(i)%place > 0) cycle
+            if (found(1)%value > tops(i)%value) tops(i) = found(1)
+        end do
+    end subroutine find_tops
+
+    !> The largest stresses of one place.
+    subroutine find_together(body, strengths, here, is_coarse, tops, error)
+        type(stressed_t), intent(inout) :: body
+        type(strength_t), intent(in) :: strengths(:)
+        logical, intent(in) :: here(:), is_coarse
+        type(maximum_t), intent(inout) :: tops(:)
+        type(error_t), allocatable, intent(inout) :: error
+        type(maximum_t) :: found(count(here))
+        integer :: i, n
+
+        call largest_of(body, pack(strengths%quantity, here), strengths(findloc(here, .true., 1))%place, is_coarse, found, error)
+        n = 0
+        do i = 1, size(here)
+            if (.not. here(i)) cycle
+            n = n + 1
+            tops(i) = found(n)
+        end do
+    end subroutine find_together
+
+    !> Of which kind of place a quantity is.
+    elemental function kind_of(quantity) result(kind)
+        integer, intent(in) :: quantity
+        integer :: kind
+
+        kind = free_surface_tension
+        if (any(quantity == [von_mises, tresca, tension])) kind = von_mises
+        if (any(quantity == [interface_shear, interface_tension])) kind = interface_shear
+    end function kind_of
 
     !> Whether a maximum belongs to the singular edge of a flat punch or of an adhesive contact, no matter how weak that is.
     pure function is_beside_edge(body, top) result(answer)
