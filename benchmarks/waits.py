@@ -299,6 +299,137 @@ def _problems() -> Numbers:
         return {path.name: path.read_bytes() for path in sorted(Path(folder).iterdir())}
 
 
+def pressed(thickness: float, layers: int = 1) -> Any:
+    """A paraboloid on layers of TiN, or of TiN and a softer one in turn, on steel."""
+    from mdrcontact import Contact, Elastic, Layer, Layered, Paraboloid
+
+    stack = [Layer(Elastic(450.0, 0.25) if i % 2 == 0 else Elastic(200.0, 0.3), thickness) for i in range(layers)]
+    return Contact(Paraboloid(100.0), Layered(stack, Elastic(210.0, 0.3)))
+
+
+def field_of(field: Any) -> Numbers:
+    return {name: getattr(field, name) for name in ("u_r", "u_z", "s_rr", "s_tt", "s_zz", "s_rz")}
+
+
+def layers_inside(layers: int) -> Numbers:
+    state = pressed(2.0 / layers, layers).at_radius(1.0)
+    before = spent()
+    field = state.interior(np.linspace(0.0, 2.0, 40)[:, None], np.linspace(0.01, 3.0, 60)[None, :])
+    return {**field_of(field), "seconds": spent() - before}
+
+
+@row("interior: grid of 2,400 points, 16 layers")
+def _layers_16() -> Numbers:
+    return layers_inside(16)
+
+
+@row("interior: grid of 2,400 points, 64 layers")
+def _layers_64() -> Numbers:
+    return layers_inside(64)
+
+
+def scattered(thickness: float) -> Numbers:
+    state, random = pressed(thickness).at_radius(1.0), np.random.default_rng(1)
+    r, z = 2.0 * random.random(10_000), 0.02 + 2.0 * random.random(10_000)
+    before = spent()
+    field = state.interior(r, z)
+    return {**field_of(field), "seconds": spent() - before}
+
+
+@row("interior: 10,000 scattered points, film, a/h = 1")
+def _scattered() -> Numbers:
+    return scattered(1.0)
+
+
+@row("interior: 10,000 scattered points, thin film, a/h = 10")
+def _scattered_thin() -> Numbers:
+    return scattered(0.1)
+
+
+def largest(thickness: float, layers: int = 1, friction: float = 0.0) -> Numbers:
+    state = pressed(thickness, layers).at_radius(1.0)
+    before = spent()
+    found = state.critical(friction=friction)
+    seconds = spent() - before
+    maxima = [maximum.value for layer in found.layers for maximum in layer[:3]]
+    maxima += [maximum.value for interface in found.interfaces for maximum in interface[1:]]
+    return {"maxima": [*maxima, found.surface.value], "seconds": seconds}
+
+
+@row("critical: film, a/h = 1")
+def _critical() -> Numbers:
+    return largest(1.0)
+
+
+@row("critical: film, a/h = 10, sliding")
+def _critical_sliding() -> Numbers:
+    return largest(0.1, friction=0.3)
+
+
+@row("critical: four layers")
+def _critical_layers() -> Numbers:
+    return largest(0.1, 4)
+
+
+@row("critical: thin film, a/h = 100")
+def _critical_thin() -> Numbers:
+    return largest(0.01)
+
+
+@row("critical: thin film, a/h = 300, sliding")
+def _critical_thinnest() -> Numbers:
+    return largest(1.0 / 300.0, friction=0.3)
+
+
+def failures(thickness: float, largest_radius: float, **strengths: Any) -> Numbers:
+    contact = pressed(thickness)
+    before = spent()
+    found = contact.first_failure(strengths, largest_radius=largest_radius)
+    seconds = spent() - before
+    assert found
+    return {"radii": [float(failure.state.radius) for failure in found], "seconds": seconds}
+
+
+@row("first_failure: film, four strengths, a/h up to 30")
+def _failure() -> Numbers:
+    return failures(1.0, 30.0, von_mises=[20.0, 10.0], tension=[10.0, None], interface_shear=[4.0])
+
+
+@row("first_failure: thin film, three strengths, a/h up to 300")
+def _failure_thin() -> Numbers:
+    return failures(0.01, 3.0, von_mises=[3.0, 2.0], interface_shear=[0.5])
+
+
+@row("first_failure: thin film, substrate, a/h up to 1000")
+def _failure_thinnest() -> Numbers:
+    return failures(0.01, 10.0, von_mises=[None, 6.0])
+
+
+STRESSED = """
+[indenter]
+shape = "sphere"
+radius = "100 um"
+[medium]
+type = "coated"
+coating = { E = "445 GPa", nu = 0.25, thickness = "20 nm" }
+substrate = { E = "210 GPa", nu = 0.3 }
+[compute]
+max_depth = "40 nm"
+[strength]
+von_mises = ["14 GPa", "2 GPa"]
+tension = ["3 GPa", "none"]
+interface_shear = ["0.8 GPa"]
+"""
+
+
+@row("command: stress with loads at failure, thin film, a/h up to 300")
+def _stress() -> Numbers:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "stress.toml"
+        path.write_text(STRESSED)
+        return command("stress", str(path))
+
+
 def spent() -> float:
     """CPU seconds of this process and of its children."""
     mine, children = resource.getrusage(resource.RUSAGE_SELF), resource.getrusage(resource.RUSAGE_CHILDREN)

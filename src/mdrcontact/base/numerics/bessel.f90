@@ -17,6 +17,8 @@ module mdrcontact_numerics_bessel
     !> The coefficients.
     type :: bessel_t
         private
+        !> (-1/4)^i/(i! (i + n)!) of J_n: (i, n)
+        real(wp) :: power(0:terms, 0:2) = 0.0_wp
         !> J0 and J1 about x = place/in_unit: (power, place)
         real(wp) :: even(0:degree, first_place:last_place) = 0.0_wp, odd(0:degree - 1, first_place:last_place) = 0.0_wp
         !> P and Q of J0, and those of J1, in powers of 1/x^2
@@ -44,6 +46,12 @@ contains
             end do
             self%even(:, place) = c
             self%odd(:, place) = -c(1:)*[(real(n, wp), n=1, degree)]
+        end do
+        do n = 0, 2
+            self%power(0, n) = 1.0_wp/real(max(n, 1), wp)
+            do place = 1, terms
+                self%power(place, n) = -0.25_wp*self%power(place - 1, n)/real(place*(place + n), wp)
+            end do
         end do
         call asymptotic(0.0_wp, self%p0, self%q0)
         call asymptotic(4.0_wp, self%p1, self%q1)
@@ -78,8 +86,9 @@ contains
 
         near = count(k*r <= begin)
         middle = count(k*r < far)
-        call add_near(k(:near), r, j0(:near), j1(:near))
-        if (present(j2)) call near_second(k(:near), r, j2(:near))
+        call from_power(self%power(:, 0), k(:near), r, 0, j0(:near))
+        call from_power(self%power(:, 1), k(:near), r, 1, j1(:near))
+        if (present(j2)) call from_power(self%power(:, 2), k(:near), r, 2, j2(:near))
         call from_taylor(self, k(near + 1:middle), r, j0(near + 1:middle), j1(near + 1:middle))
         call from_far(self, k(middle + 1:), r, j0(middle + 1:), j1(middle + 1:))
         if (.not. r > 0.0_wp) return
@@ -87,45 +96,25 @@ contains
         if (present(j2)) j2(near + 1:) = (2.0_wp*j1(near + 1:)/k(near + 1:) - j0(near + 1:))/r**2
     end subroutine at
 
-    !> Sum of (-x^2/4)^i/(i! (i + n)!) (k/2)^n for n = 0 and 1.
-    pure subroutine add_near(k, r, j0, j1)
-        real(wp), intent(in) :: k(:), r
-        real(wp), intent(out) :: j0(:), j1(:)
-        real(wp) :: term, square
+    !> J_n(k r)/r^n for k r <= 1: (k/2)^n times a polynomial in (k r)^2.
+    pure subroutine from_power(coefficients, k, r, order, values)
+        real(wp), intent(in) :: coefficients(0:terms), k(:), r
+        integer, intent(in) :: order
+        real(wp), intent(out) :: values(:)
+        real(wp) :: square, value
         integer :: i, n
 
         do n = 1, size(k)
-            square = -0.25_wp*(k(n)*r)**2
-            term = 1.0_wp
-            j0(n) = 1.0_wp
-            j1(n) = 1.0_wp
-            do i = 1, terms
-                term = term*square/real(i, wp)**2
-                j0(n) = j0(n) + term
-                j1(n) = j1(n) + term/real(i + 1, wp)
+            square = (k(n)*r)**2
+            value = coefficients(terms)
+            do i = terms - 1, 0, -1
+                value = coefficients(i) + square*value
             end do
-            j1(n) = 0.5_wp*k(n)*j1(n)
+            values(n) = value
         end do
-    end subroutine add_near
-
-    !> The same for n = 2.
-    pure subroutine near_second(k, r, j2)
-        real(wp), intent(in) :: k(:), r
-        real(wp), intent(out) :: j2(:)
-        real(wp) :: term, square
-        integer :: i, n
-
-        do n = 1, size(k)
-            square = -0.25_wp*(k(n)*r)**2
-            term = 1.0_wp
-            j2(n) = 0.5_wp
-            do i = 1, terms
-                term = term*square/real(i, wp)**2
-                j2(n) = j2(n) + term/real((i + 1)*(i + 2), wp)
-            end do
-            j2(n) = 0.25_wp*k(n)**2*j2(n)
-        end do
-    end subroutine near_second
+        if (order >= 1) values = 0.5_wp*k*values
+        if (order >= 2) values = 0.5_wp*k*values
+    end subroutine from_power
 
     !> J0 and J1 for 1 < k r < 25.
     pure subroutine from_taylor(self, k, r, j0, j1)
@@ -137,7 +126,8 @@ contains
 
         do n = 1, size(k)
             x = k(n)*r
-            place = nint(x*real(in_unit, wp))
+            ! the nearest one, without the call of nint
+            place = int(x*real(in_unit, wp) + 0.5_wp)
             x = x - real(place, wp)/real(in_unit, wp)
             even = self%even(degree, place)
             odd = self%odd(degree - 1, place)

@@ -316,8 +316,8 @@ contains
         end do
     end subroutine close_in
 
-    !> Where to look next: where the parabola through the ends and the end before has its root, if that narrows the bracket as much as
-    !> half of what is left each second time; the middle otherwise.
+    !> The next place: the root of the parabola through the ends and the end before, or the middle, if the bracket was not halved
+    !> several times in turn or the root lies outside.
     pure function next(self) result(x)
         class(bracket_t), intent(in) :: self
         real(wp) :: x

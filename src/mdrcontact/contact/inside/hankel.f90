@@ -168,23 +168,28 @@ contains
         real(wp), intent(in) :: r
         real(wp), intent(inout) :: sums(:)
         integer, parameter :: block = 128
-        real(wp) :: columns(block, size(sums)), j(block, 0:2)
-        integer :: first, last, waves, n, group(0:2), order, i, place
+        real(wp) :: columns(block, size(sums)), j(block, 0:3), part(size(sums))
+        integer :: first, last, waves, n, i
 
         waves = wave_count(self, depth)
-        group = groups(self)
         do first = 1, waves, block
             last = min(first + block - 1, waves)
             n = last - first + 1
             call weighted_state(self, depth, first, last, columns(:n, :))
             call bessel_table(self, r, first, last, j(:n, :))
-            place = 0
-            do order = 0, 2
-                do i = 1, group(order)
-                    place = place + 1
-                    sums(place) = sums(place) + sum(j(:n, order)*columns(:n, place))*merge(r**2, 1.0_wp, place == shear_sums)
+            part = 0.0_wp
+            if (self%states%along_surface) then
+                ! J2/r^2 to J2 for the last one
+                j(:n, 3) = j(:n, 2)*r**2
+                do i = 1, n
+                    part = part + j(i, [0, 0, 1, 1, 1, 1, 2, 3])*columns(i, :)
                 end do
-            end do
+            else
+                do i = 1, n
+                    part = part + j(i, [0, 0, 0, 1, 1])*columns(i, :)
+                end do
+            end if
+            sums = sums + part
         end do
     end subroutine add_point
 

@@ -15,7 +15,9 @@ module mdrcontact_inside_layer_states
     use mdrcontact_inside_isotropic, only: isotropic_half_space_t, new_isotropic_half_space
     use mdrcontact_inside_states, only: depth_t, shear_rows, states_t
     use mdrcontact_inside_transverse, only: new_transverse_half_space, transverse_half_space_t
+    use mdrcontact_inside_waves, only: faded
     use mdrcontact_kinds, only: wp
+    use mdrcontact_material_transverse, only: transverse_t
     use mdrcontact_numerics_small_matrices, only: inverse, times_matrix, times_vector
     implicit none (type, external)
     private
@@ -23,6 +25,11 @@ module mdrcontact_inside_layer_states
 
     !> Roots no farther from their mean count as equal: the square of this is rounding.
     real(wp), parameter :: rounding = 3.0e-8_wp
+
+    !> Wavenumbers that are worked on together.
+    integer, parameter :: block = 64
+    !> Waves see layers whose top they reach with exp(-seen*faded): what comes back from deeper ones is less than rounding.
+    real(wp), parameter :: seen = 1.5_wp
 
     !> A layer and what lies below it.
     type :: layer_t
@@ -32,9 +39,24 @@ module mdrcontact_inside_layer_states
         !> thickness and depth of its top [a]; the first is 0 for the half-space
         real(wp) :: thickness = 0.0_wp, top = 0.0_wp
         type(interface_t) :: below
-        !> whether both roots are equal, as those of an isotropic layer
-        logical :: has_one_root = .false.
+        !> exponent at its top, in units of k, of waves that decay from the surface
+        real(wp) :: decayed = 0.0_wp
+        !> whether both roots are equal, as those of an isotropic layer, and whether its bottom gives
+        logical :: has_one_root = .false., gives = .false.
     end type layer_t
+
+    !> Wavenumbers that are carried up and down together, and what a layer does to each.
+    type :: sweep_t
+        !> the first one, their number, and they themselves; the last one fills the block
+        integer :: first = 1, count = 0
+        real(wp) :: k(block) = 0.0_wp
+        !> the layer that they take for a half-space
+        integer :: deepest = 0
+        !> (wavenumber, 2, 2, layer): R, what makes A of the traction on the layer, and e^(-Q s) at its bottom
+        real(wp), allocatable, dimension(:, :, :, :) :: reflection, to_amplitude, down
+        !> (wavenumber, layer) across the plane: e^(-s) at the bottom, and R
+        real(wp), allocatable :: fade(:, :), back(:, :)
+    end type sweep_t
 
     !> States of such a body.
     type, extends(states_t) :: layer_states_t
@@ -42,7 +64,8 @@ module mdrcontact_inside_layer_states
         type(layer_t), allocatable :: sheets(:)
         logical :: rigid_base = .false., slides = .false.
         real(wp), allocatable :: k(:)
-        !> A and B (1:2, 3:4; layer; wavenumber) in the plane of r and z, and of the third direction under a shear load
+        !> A and B (wavenumber; 1:2, 3:4; layer) in the plane of r and z, and of the third direction under a shear load, as deep as
+        !> the waves reach
         real(wp), allocatable :: plane(:, :, :), along(:, :, :)
         !> A of the surface layer less that of a half-space of its material
         real(wp), allocatable :: plane_less(:, :), along_less(:)
@@ -69,7 +92,8 @@ contains
         type(isotropic_half_space_t) :: plain_surface
         type(transverse_half_space_t) :: surface
         type(bond_t) :: bond
-        real(wp) :: unit, springs
+        type(transverse_t) :: numbers
+        real(wp) :: unit, springs, decayed
         integer :: i, n, stat
 
         if (allocated(layers%materials)) then
@@ -88,14 +112,19 @@ contains
         call check_memory(error, stat)
         if (stat /= 0) return
         springs = 0.0_wp
+        decayed = 0.0_wp
         do i = 1, size(self%sheets)
             associate (sheet => self%sheets(i))
                 call new_modes(sheet%modes, layers%constants(i, unit))
                 sheet%has_one_root = abs(sheet%modes%apart) <= rounding
                 call fill_matrices(sheet)
                 sheet%top = layers%top(i)/radius
+                sheet%decayed = decayed
                 if (i > n) cycle
                 sheet%thickness = layers%thickness(i)/radius
+                numbers = layers%constants(i, unit)
+                decayed = decayed + numbers%decay()*sheet%thickness
+                if (allocated(layers%bonds)) sheet%gives = .not. layers%bonds(i)%is_bonded()
                 if (allocated(layers%bonds)) bond = layers%bonds(i)%per_length(radius)
                 call new_interface(sheet%below, bond, cmplx(unit, kind=wp))
                 springs = max(springs, sheet%below%softness())
@@ -126,38 +155,28 @@ contains
         end associate
     end subroutine fill_matrices
 
-    !> exp(-Q x); without complex numbers if both roots are equal.
-    pure function fall(sheet, x) result(matrix)
+    !> exp(-Q x) times vectors, without the matrix if both roots are equal.
+    pure subroutine carry(sheet, x, vectors)
         type(layer_t), intent(in) :: sheet
-        real(wp), intent(in) :: x
-        real(wp) :: matrix(2, 2)
+        real(wp), intent(in) :: x(:)
+        !> (x, row)
+        real(wp), intent(inout) :: vectors(:, :)
+        real(wp) :: fading(size(x)), first
+        integer :: i
 
         if (.not. sheet%has_one_root) then
-            matrix = real(sheet%modes%fall(cmplx(x, kind=wp)), wp)
-            return
-        end if
-        matrix = -x*sheet%modes%turn
-        matrix(1, 1) = matrix(1, 1) + 1.0_wp
-        matrix(2, 2) = matrix(2, 2) + 1.0_wp
-        matrix = exp(-0.5_wp*sheet%modes%total*x)*matrix
-    end function fall
-
-    !> exp(-Q x) times a vector, without the matrix if both roots are equal: most of the time of stresses is spent here.
-    pure subroutine carry(sheet, x, vector)
-        type(layer_t), intent(in) :: sheet
-        real(wp), intent(in) :: x
-        real(wp), intent(inout) :: vector(2)
-        real(wp) :: fading, first
-
-        if (.not. sheet%has_one_root) then
-            vector = times(fall(sheet, x), vector)
+            do i = 1, size(x)
+                vectors(i, :) = times(real(sheet%modes%fall(cmplx(x(i), kind=wp)), wp), vectors(i, :))
+            end do
             return
         end if
         fading = exp(-0.5_wp*sheet%modes%total*x)
         associate (turn => sheet%modes%turn)
-            first = vector(1) - x*(turn(1, 1)*vector(1) + turn(1, 2)*vector(2))
-            vector(2) = fading*(vector(2) - x*(turn(2, 1)*vector(1) + turn(2, 2)*vector(2)))
-            vector(1) = fading*first
+            do i = 1, size(x)
+                first = vectors(i, 1) - x(i)*(turn(1, 1)*vectors(i, 1) + turn(1, 2)*vectors(i, 2))
+                vectors(i, 2) = fading(i)*(vectors(i, 2) - x(i)*(turn(2, 1)*vectors(i, 1) + turn(2, 2)*vectors(i, 2)))
+                vectors(i, 1) = fading(i)*first
+            end do
         end associate
     end subroutine carry
 
@@ -180,141 +199,306 @@ contains
         class(layer_states_t), intent(inout) :: self
         real(wp), intent(in) :: k(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable, dimension(:, :, :) :: reflection, to_amplitude, down
-        integer :: i, n, stat
+        type(sweep_t) :: sweep
+        integer :: first, n, stat
 
         n = size(self%sheets)
         if (allocated(self%k)) deallocate (self%k, self%plane, self%plane_less)
         if (allocated(self%along)) deallocate (self%along, self%along_less)
-        allocate (self%k(size(k)), self%plane(4, n, size(k)), self%plane_less(2, size(k)), reflection(2, 2, n), &
-                  to_amplitude(2, 2, n), down(2, 2, n), stat=stat)
-        if (stat == 0 .and. self%along_surface) allocate (self%along(2, n, size(k)), self%along_less(size(k)), stat=stat)
+        allocate (self%k(size(k)), self%plane(size(k), 4, n), self%plane_less(size(k), 2), sweep%reflection(block, 2, 2, n), &
+                  sweep%to_amplitude(block, 2, 2, n), sweep%down(block, 2, 2, n), sweep%fade(block, n), &
+                  sweep%back(block, n), stat=stat)
+        if (stat == 0 .and. self%along_surface) allocate (self%along(size(k), 2, n), self%along_less(size(k)), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         self%k(:) = k
-        do i = 1, size(k)
-            call plane_amplitudes(self, k(i), merge([1.0_wp, 0.0_wp], [0.0_wp, -1.0_wp], self%along_surface), &
-                                  reflection, to_amplitude, down, self%plane(:, :, i), self%plane_less(:, i))
-            if (self%along_surface) call along_amplitudes(self, k(i), reflection(1, 1, :), down(1, 1, :), self%along(:, :, i), &
-                                                          self%along_less(i))
+        do first = 1, size(k), block
+            sweep%first = first
+            sweep%count = min(block, size(k) - first + 1)
+            sweep%k = k(first)
+            sweep%k(:sweep%count) = k(first:first + sweep%count - 1)
+            sweep%deepest = deepest(self, k(first))
+            call carry_plane_up(self, sweep)
+            call carry_plane_down(self, sweep, merge([1.0_wp, 0.0_wp], [0.0_wp, -1.0_wp], self%along_surface))
+            if (self%along_surface) call carry_along(self, sweep)
         end do
     end subroutine prepare
 
-    !> Up: the compliance M, (y1, y2) = M (T, S), and R, B = R A. Down: the amplitudes under the traction `load` = (T, S).
-    pure subroutine plane_amplitudes(self, k, load, reflection, to_amplitude, down, amplitudes, less)
-        class(layer_states_t), intent(in) :: self
-        real(wp), intent(in) :: k, load(2)
-        !> R of each layer, what makes A of the traction on it, and e^(-Q s) at its bottom
-        real(wp), intent(inout), dimension(:, :, :) :: reflection, to_amplitude, down
-        real(wp), intent(out) :: amplitudes(:, :), less(2)
-        real(wp) :: m(2, 2), faded(2, 2), traction(2)
-        integer :: i, n
-
-        n = size(self%sheets)
-        m = 0.0_wp
-        do i = n, 1, -1
-            associate (sheet => self%sheets(i))
-                reflection(:, :, i) = 0.0_wp
-                if (sheet%thickness > 0.0_wp) then
-                    m = real(sheet%below%above(cmplx(k, kind=wp), cmplx(m, kind=wp)), wp)
-                    down(:, :, i) = fall(sheet, k*sheet%thickness)
-                    reflection(:, :, i) = -times(times(inverse(sheet%up_u - times(m, sheet%up_t)), &
-                                                       sheet%down_u - times(m, sheet%down_t)), down(:, :, i))
-                    faded = times(down(:, :, i), reflection(:, :, i))
-                else
-                    faded = 0.0_wp
-                end if
-                to_amplitude(:, :, i) = inverse(sheet%down_t + times(sheet%up_t, faded))
-                m = times(sheet%down_u + times(sheet%up_u, faded), to_amplitude(:, :, i))
-            end associate
-        end do
-        traction = load
-        do i = 1, n
-            associate (a => amplitudes(1:2, i), b => amplitudes(3:4, i), sheet => self%sheets(i))
-                a = times(to_amplitude(:, :, i), traction)
-                b = times(reflection(:, :, i), a)
-                if (sheet%thickness > 0.0_wp) traction = times(sheet%down_t, times(down(:, :, i), a)) + times(sheet%up_t, b)
-            end associate
-        end do
-        less = 0.0_wp
-        associate (sheet => self%sheets(1))
-            if (sheet%thickness > 0.0_wp) then
-                less = -times(inverse(sheet%down_t), times(sheet%up_t, times(down(:, :, 1), amplitudes(3:4, 1))))
-            end if
-        end associate
-    end subroutine plane_amplitudes
-
-    !> The same for V and N under N = -1.
-    pure subroutine along_amplitudes(self, k, reflection, fade, amplitudes, less)
+    !> The layer that waves of wavenumbers from k on take for a half-space: what lies below it is not seen.
+    pure function deepest(self, k) result(layer)
         class(layer_states_t), intent(in) :: self
         real(wp), intent(in) :: k
-        !> R of each layer, and what its waves are at its bottom
-        real(wp), intent(inout) :: reflection(:), fade(:)
-        real(wp), intent(out) :: amplitudes(:, :), less
-        real(wp) :: below, traction, stiffness
-        integer :: i, n
+        integer :: layer
 
-        n = size(self%sheets)
-        below = 0.0_wp
-        fade = 0.0_wp
-        reflection = 0.0_wp
-        do i = n, 1, -1
-            associate (sheet => self%sheets(i))
-                ! of G
-                stiffness = 2.0_wp*sheet%modes%shear
-                if (sheet%thickness > 0.0_wp) then
-                    below = real(sheet%below%above_across(cmplx(k, kind=wp), cmplx(below, kind=wp)), wp)
-                    fade(i) = exp(-sheet%modes%across*k*sheet%thickness)
-                    reflection(i) = fade(i)*(stiffness*below - 1.0_wp)/(stiffness*below + 1.0_wp)
+        do layer = 1, size(self%sheets) - 1
+            if (k*self%sheets(layer)%decayed > seen*faded) return
+        end do
+    end function deepest
+
+    !> Whether there is something below a layer of a sweep.
+    pure function has_bottom(self, sweep, layer) result(answer)
+        class(layer_states_t), intent(in) :: self
+        type(sweep_t), intent(in) :: sweep
+        integer, intent(in) :: layer
+        logical :: answer
+
+        answer = self%sheets(layer)%thickness > 0.0_wp .and. (layer < sweep%deepest .or. layer == size(self%sheets))
+    end function has_bottom
+
+    !> The compliance M, (y1, y2) = M (T, S), and R, B = R A.
+    pure subroutine carry_plane_up(self, sweep)
+        class(layer_states_t), intent(in) :: self
+        type(sweep_t), intent(inout) :: sweep
+        real(wp), dimension(block, 2, 2) :: m, faded_part, left, right
+        integer :: i
+
+        m = 0.0_wp
+        do i = sweep%deepest, 1, -1
+            associate (sheet => self%sheets(i), reflection => sweep%reflection(:, :, :, i), down => sweep%down(:, :, :, i), &
+                       to_amplitude => sweep%to_amplitude(:, :, :, i))
+                reflection = 0.0_wp
+                faded_part = 0.0_wp
+                if (has_bottom(self, sweep, i)) then
+                    if (sheet%gives) call pass_interface(sheet, sweep%k, m)
+                    call fall_of_all(sheet, sweep%k*sheet%thickness, down)
+                    call add_times_constant(sheet%up_u, m, sheet%up_t, -1.0_wp, left)
+                    call add_times_constant(sheet%down_u, m, sheet%down_t, -1.0_wp, right)
+                    call invert_all(left)
+                    call multiply_all(left, right, faded_part)
+                    call multiply_all(faded_part, down, reflection)
+                    reflection = -reflection
+                    call multiply_all(down, reflection, faded_part)
                 end if
-                below = (1.0_wp + fade(i)*reflection(i))/(stiffness*(1.0_wp - fade(i)*reflection(i)))
+                call add_constant_times(sheet%down_t, sheet%up_t, faded_part, to_amplitude)
+                call invert_all(to_amplitude)
+                call add_constant_times(sheet%down_u, sheet%up_u, faded_part, left)
+                call multiply_all(left, to_amplitude, m)
             end associate
         end do
-        traction = -1.0_wp
-        do i = 1, n
-            amplitudes(1, i) = -traction/(1.0_wp - fade(i)*reflection(i))
-            amplitudes(2, i) = reflection(i)*amplitudes(1, i)
-            traction = amplitudes(2, i) - fade(i)*amplitudes(1, i)
+    end subroutine carry_plane_up
+
+    !> The amplitudes under the traction `load` = (T, S), where waves reach.
+    pure subroutine carry_plane_down(self, sweep, load)
+        class(layer_states_t), intent(inout) :: self
+        type(sweep_t), intent(in) :: sweep
+        real(wp), intent(in) :: load(2)
+        real(wp), dimension(block, 2) :: traction, a, b, bottom
+        real(wp) :: above(2, 2)
+        integer :: i, first, last
+
+        first = sweep%first
+        last = first + sweep%count - 1
+        traction(:, 1) = load(1)
+        traction(:, 2) = load(2)
+        self%plane_less(first:last, :) = 0.0_wp
+        do i = 1, sweep%deepest
+            associate (sheet => self%sheets(i))
+                call apply_all(sweep%to_amplitude(:, :, :, i), traction, a)
+                call apply_all(sweep%reflection(:, :, :, i), a, b)
+                self%plane(first:last, 1:2, i) = a(:sweep%count, :)
+                self%plane(first:last, 3:4, i) = b(:sweep%count, :)
+                if (.not. has_bottom(self, sweep, i)) exit
+                call apply_all(sweep%down(:, :, :, i), a, bottom)
+                call apply_constants(sheet%down_t, bottom, sheet%up_t, b, traction)
+                if (i > 1) cycle
+                call apply_all(sweep%down(:, :, :, i), b, bottom)
+                above = -times(inverse(sheet%down_t), sheet%up_t)
+                call apply_constants(above, bottom, 0.0_wp*above, b, a)
+                self%plane_less(first:last, :) = a(:sweep%count, :)
+            end associate
         end do
-        less = fade(1)*amplitudes(2, 1)
-    end subroutine along_amplitudes
+    end subroutine carry_plane_down
+
+    !> Compliances above the interface below a layer.
+    pure subroutine pass_interface(sheet, k, m)
+        type(layer_t), intent(in) :: sheet
+        real(wp), intent(in) :: k(block)
+        real(wp), intent(inout) :: m(block, 2, 2)
+        integer :: i
+
+        do i = 1, block
+            m(i, :, :) = real(sheet%below%above(cmplx(k(i), kind=wp), cmplx(m(i, :, :), kind=wp)), wp)
+        end do
+    end subroutine pass_interface
+
+    !> exp(-Q x) of many x.
+    pure subroutine fall_of_all(sheet, x, matrix)
+        type(layer_t), intent(in) :: sheet
+        real(wp), intent(in) :: x(block)
+        real(wp), intent(out) :: matrix(block, 2, 2)
+        real(wp) :: fading(block)
+        integer :: i, j
+
+        if (.not. sheet%has_one_root) then
+            do i = 1, block
+                matrix(i, :, :) = real(sheet%modes%fall(cmplx(x(i), kind=wp)), wp)
+            end do
+            return
+        end if
+        fading = exp(-0.5_wp*sheet%modes%total*x)
+        do j = 1, 2
+            do i = 1, 2
+                matrix(:, i, j) = fading*(merge(1.0_wp, 0.0_wp, i == j) - x*sheet%modes%turn(i, j))
+            end do
+        end do
+    end subroutine fall_of_all
+
+    !> c = a b, for many matrices.
+    pure subroutine multiply_all(a, b, c)
+        real(wp), intent(in), dimension(block, 2, 2) :: a, b
+        real(wp), intent(out) :: c(block, 2, 2)
+        integer :: i, j
+
+        do j = 1, 2
+            do i = 1, 2
+                c(:, i, j) = a(:, i, 1)*b(:, 1, j) + a(:, i, 2)*b(:, 2, j)
+            end do
+        end do
+    end subroutine multiply_all
+
+    !> c = b + factor a m for constant b and m.
+    pure subroutine add_times_constant(b, a, m, factor, c)
+        real(wp), intent(in) :: b(2, 2), a(block, 2, 2), m(2, 2), factor
+        real(wp), intent(out) :: c(block, 2, 2)
+        integer :: i, j
+
+        do j = 1, 2
+            do i = 1, 2
+                c(:, i, j) = b(i, j) + factor*(a(:, i, 1)*m(1, j) + a(:, i, 2)*m(2, j))
+            end do
+        end do
+    end subroutine add_times_constant
+
+    !> c = b + m a for constant b and m.
+    pure subroutine add_constant_times(b, m, a, c)
+        real(wp), intent(in) :: b(2, 2), m(2, 2), a(block, 2, 2)
+        real(wp), intent(out) :: c(block, 2, 2)
+        integer :: i, j
+
+        do j = 1, 2
+            do i = 1, 2
+                c(:, i, j) = b(i, j) + (m(i, 1)*a(:, 1, j) + m(i, 2)*a(:, 2, j))
+            end do
+        end do
+    end subroutine add_constant_times
+
+    !> To the inverses of many matrices.
+    pure subroutine invert_all(m)
+        real(wp), intent(inout) :: m(block, 2, 2)
+        real(wp), dimension(block) :: determinant, first
+
+        determinant = m(:, 1, 1)*m(:, 2, 2) - m(:, 1, 2)*m(:, 2, 1)
+        first = m(:, 1, 1)
+        m(:, 1, 1) = m(:, 2, 2)/determinant
+        m(:, 2, 1) = -m(:, 2, 1)/determinant
+        m(:, 1, 2) = -m(:, 1, 2)/determinant
+        m(:, 2, 2) = first/determinant
+    end subroutine invert_all
+
+    !> y = m x, for many matrices and vectors.
+    pure subroutine apply_all(m, x, y)
+        real(wp), intent(in) :: m(block, 2, 2), x(block, 2)
+        real(wp), intent(out) :: y(block, 2)
+        integer :: i
+
+        do i = 1, 2
+            y(:, i) = m(:, i, 1)*x(:, 1) + m(:, i, 2)*x(:, 2)
+        end do
+    end subroutine apply_all
+
+    !> z = a x + b y for constant a and b.
+    pure subroutine apply_constants(a, x, b, y, z)
+        real(wp), intent(in) :: a(2, 2), x(block, 2), b(2, 2), y(block, 2)
+        real(wp), intent(out) :: z(block, 2)
+        integer :: i
+
+        do i = 1, 2
+            z(:, i) = (a(i, 1)*x(:, 1) + a(i, 2)*x(:, 2)) + (b(i, 1)*y(:, 1) + b(i, 2)*y(:, 2))
+        end do
+    end subroutine apply_constants
+
+    !> The same for V and N under N = -1: R of each layer, what its waves are at its bottom, and the amplitudes.
+    pure subroutine carry_along(self, sweep)
+        class(layer_states_t), intent(inout) :: self
+        type(sweep_t), intent(inout) :: sweep
+        real(wp), dimension(block) :: below, traction, down
+        real(wp) :: stiffness
+        integer :: i, j, first, last
+
+        below = 0.0_wp
+        do i = sweep%deepest, 1, -1
+            associate (sheet => self%sheets(i), fade => sweep%fade(:, i), reflection => sweep%back(:, i))
+                fade = 0.0_wp
+                reflection = 0.0_wp
+                ! of G
+                stiffness = 2.0_wp*sheet%modes%shear
+                if (has_bottom(self, sweep, i)) then
+                    do j = 1, block
+                        if (.not. sheet%gives) exit
+                        below(j) = real(sheet%below%above_across(cmplx(sweep%k(j), kind=wp), cmplx(below(j), kind=wp)), wp)
+                    end do
+                    fade = exp(-sheet%modes%across*sweep%k*sheet%thickness)
+                    reflection = fade*(stiffness*below - 1.0_wp)/(stiffness*below + 1.0_wp)
+                end if
+                below = (1.0_wp + fade*reflection)/(stiffness*(1.0_wp - fade*reflection))
+            end associate
+        end do
+        first = sweep%first
+        last = first + sweep%count - 1
+        traction = -1.0_wp
+        do i = 1, sweep%deepest
+            associate (fade => sweep%fade(:, i), reflection => sweep%back(:, i))
+                down = -traction/(1.0_wp - fade*reflection)
+                self%along(first:last, 1, i) = down(:sweep%count)
+                down = reflection*down
+                self%along(first:last, 2, i) = down(:sweep%count)
+                if (i == 1) self%along_less(first:last) = fade(:sweep%count)*down(:sweep%count)
+                down = -traction/(1.0_wp - fade*reflection)
+                traction = reflection*down - fade*down
+            end associate
+        end do
+    end subroutine carry_along
 
     pure subroutine state(self, depth, first, last, y)
         class(layer_states_t), intent(in) :: self
         type(depth_t), intent(in) :: depth
         integer, intent(in) :: first, last
         real(wp), intent(out) :: y(first:, :)
-        real(wp) :: a(2), b(2), s, t, up, down
-        integer :: i
-        logical :: is_layer
+        real(wp), dimension(last - first + 1, 2) :: a, b
+        real(wp), dimension(last - first + 1) :: s, t
 
         associate (sheet => self%sheets(depth%layer), z => self%sheets(depth%layer)%modes%z)
-            is_layer = sheet%thickness > 0.0_wp
-            do i = first, last
-                s = self%k(i)*(depth%z - sheet%top)
-                t = self%k(i)*sheet%thickness - s
-                a = self%plane(1:2, depth%layer, i)
-                if (depth%less) a = self%plane_less(:, i)
-                call carry(sheet, s, a)
-                b = 0.0_wp
-                if (is_layer) then
-                    b = self%plane(3:4, depth%layer, i)
-                    call carry(sheet, t, b)
-                end if
-                y(i, 1) = a(1) + b(1)
-                y(i, 4) = a(2) + b(2)
-                b = b - a
-                y(i, 2) = z(1, 1)*b(1) + z(1, 2)*b(2)
-                y(i, 3) = z(2, 1)*b(1) + z(2, 2)*b(2)
-                if (size(y, 2) < shear_rows) cycle
-                down = self%along(1, depth%layer, i)
-                if (depth%less) down = self%along_less(i)
-                down = exp(-sheet%modes%across*s)*down
-                up = 0.0_wp
-                if (is_layer) up = exp(-sheet%modes%across*t)*self%along(2, depth%layer, i)
-                y(i, 5) = (down + up)/sheet%modes%shear
-                y(i, 6) = up - down
-            end do
+            s = self%k(first:last)*(depth%z - sheet%top)
+            t = self%k(first:last)*sheet%thickness - s
+            if (depth%less) then
+                a = self%plane_less(first:last, :)
+            else
+                a = self%plane(first:last, 1:2, depth%layer)
+            end if
+            call carry(sheet, s, a)
+            b = 0.0_wp
+            if (sheet%thickness > 0.0_wp) then
+                b = self%plane(first:last, 3:4, depth%layer)
+                call carry(sheet, t, b)
+            end if
+            y(:, 1) = a(:, 1) + b(:, 1)
+            y(:, 4) = a(:, 2) + b(:, 2)
+            b = b - a
+            y(:, 2) = z(1, 1)*b(:, 1) + z(1, 2)*b(:, 2)
+            y(:, 3) = z(2, 1)*b(:, 1) + z(2, 2)*b(:, 2)
+            if (size(y, 2) < shear_rows) return
+            if (depth%less) then
+                s = exp(-sheet%modes%across*s)*self%along_less(first:last)
+            else
+                s = exp(-sheet%modes%across*s)*self%along(first:last, 1, depth%layer)
+            end if
+            if (sheet%thickness > 0.0_wp) then
+                t = exp(-sheet%modes%across*t)*self%along(first:last, 2, depth%layer)
+            else
+                t = 0.0_wp
+            end if
+            y(:, 5) = (s + t)/sheet%modes%shear
+            y(:, 6) = t - s
         end associate
     end subroutine state
 
