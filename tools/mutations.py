@@ -486,5 +486,9 @@ MUTATIONS = [
     ("base/numerics/waves.f90", "waves(0, :) = self%outgoing(1, :) - 1.0_wp", "waves(0, :) = self%outgoing(1, :)", "test_waves"),
     ("base/numerics/waves.f90", "b(:, 0) = self%inner", "b(:, 0) = self%b(1, :)", "test_waves"),
     ("extensions/poroelastic/answers.f90", "density = 6.5_wp", "density = 4.0_wp", "poroelastic"),
+    ("base/numerics/one_thread.f90", "pivots(i:next - 1) = pivots(i:next - 1) + i - 1", "continue", "test_one_thread"),
+    ("base/numerics/one_thread.f90", "if (.not. all(is_finite(b))) info = n + 1", "continue", "test_one_thread"),
+    ("base/numerics/one_thread.f90", "call divide(m, n - half, rows, l(half + 1, half + 1), b(1, half + 1))", "continue",
+     "test_one_thread"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""
