@@ -52,7 +52,7 @@ def main() -> int:
     for a in RATIOS:
         radii = np.full(200, a)
         states = contact.at_radius(radii)
-        mine, state = compare(partial(conduction.friction_heat, contact, states, 0.1, 1.0), partial(contact.at_radius, radii), 2)
+        mine, state = compare(partial(conduction.friction_heat, states, 0.1, 1.0), partial(contact.at_radius, radii), 2)
         rows.append((f"friction heat, a/h = {a:g}", "an exact state from its radius", mine / state, 2.0))
     print("\n## Heat and current\n\n| what | beside | ratio | at most |\n|---|---|---|---|")
     for what, beside, ratio, most in rows:
