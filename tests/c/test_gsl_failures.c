@@ -40,7 +40,7 @@ int gsl_root_fsolver_set(void *solver, void *f, double lower, double upper);
 int gsl_root_fsolver_iterate(void *solver);
 int gsl_root_test_interval(double lower, double upper, double absolute, double relative);
 int gsl_multifit_nlinear_iterate(void *workspace);
-void dpotrf_(const char *uplo, const int *n, double *a, const int *lda, int *info, size_t length);
+void dpotf2_(const char *uplo, const int *n, double *a, const int *lda, int *info, size_t length);
 
 void *gsl_root_fsolver_alloc(const void *kind)
 {
@@ -85,9 +85,9 @@ int gsl_multifit_nlinear_iterate(void *workspace)
     return f ? FUNCTION(step, f)(workspace) : 27;
 }
 
-void dpotrf_(const char *uplo, const int *n, double *a, const int *lda, int *info, size_t length)
+void dpotf2_(const char *uplo, const int *n, double *a, const int *lda, int *info, size_t length)
 {
-    void *f = real("dpotrf_", FACTORS);
+    void *f = real("dpotf2_", FACTORS);
     if (f) FUNCTION(factorise, f)(uplo, n, a, lda, info, length);
     else *info = 1;
 }
