@@ -209,7 +209,7 @@ contains
 
     !> Where entry i of an array lies; null for no array.
     function place(array, i) result(pointer)
-        real(wp), pointer, contiguous, intent(in) :: array(:)
+        real(wp), pointer, intent(in) :: array(:)
         integer, intent(in) :: i
         type(c_ptr) :: pointer
 
