@@ -386,7 +386,7 @@ contains
         system(:, m) = -areas(free)
         call solve_system(system, unknowns, info)
         depth = 0.0_wp
-        if (info /= 0) then
+        if (info /= 0 .and. info <= m) then ! the caller reports numbers that are not finite
             call raise(error, error_no_convergence, "the pressure under a cap was not found: the system is singular")
             return
         end if
