@@ -271,6 +271,7 @@ contains
                 ends_z = closer(z, at(2), box%z)
                 if (ends_r(1) >= r(1) .and. ends_r(2) <= r(size(r)) .and. ends_z(1) >= z(1) .and. ends_z(2) <= z(size(z))) then
                     call find_top(grid, 1, top)
+                    top(2:) = [at_end(top(2), r), at_end(top(3), z)]
                     if (top(1) > -infinity) then
                         call find_values(self, top(2:2), top(3:3), grid%angle, [part], there, error)
                         if (allocated(error)) return
@@ -339,6 +340,17 @@ contains
             end do
         end do
     end function polynomials
+
+    !> A place, or the end of a grid that is so close to it that rounding decides which of both has the larger value: the axis, the
+    !> surface or an interface.
+    pure function at_end(place, x) result(chosen)
+        real(wp), intent(in) :: place, x(:)
+        real(wp) :: chosen
+
+        chosen = place
+        if (place - x(1) <= 0.1_wp*smallest*length(x)) chosen = x(1)
+        if (x(size(x)) - place <= 0.1_wp*smallest*length(x)) chosen = x(size(x))
+    end function at_end
 
     pure function length(x)
         real(wp), intent(in) :: x(:)
