@@ -36,7 +36,7 @@ module mdrcontact_material
         !> whether it is isotropic and free of stress
         logical :: is_plain = .true.
         !> its six numbers where it is not
-        type(transverse_t) :: constants
+        type(transverse_t) :: constants = transverse_t()
         !> isotropic, or by_stiffness and the like
         integer :: form = isotropic
         !> the five numbers of the latter
