@@ -36,6 +36,8 @@ module mdrcontact_inside_interior
     real(wp), parameter :: nearest_kept = 0.25_wp
     !> Rules that are kept at most, and nodes times layers of all of them, of 50 bytes each.
     integer, parameter :: most_kept = 8
+    !> Layers at most of a body whose states are copied for a rule that is kept: about 100 kB.
+    integer, parameter :: most_kept_steps = 100
     real(wp), parameter :: most_kept_amplitudes = 2.0e6_wp
 
     !> The states of a body at the nodes of one rule of wavenumbers.
@@ -296,7 +298,7 @@ contains
     subroutine find_waves(kept, load, states, farthest, last, hankel, is_ready, error)
         type(kept_waves_t), intent(inout), target :: kept
         class(load_t), intent(in) :: load
-        class(states_t), intent(in) :: states
+        class(states_t), intent(inout), target :: states
         !> largest a + r [a] and largest wavenumber [1/a]
         real(wp), intent(in) :: farthest, last
         type(hankel_t), pointer, intent(out) :: hankel
@@ -320,15 +322,17 @@ contains
         if (associated(hankel)) return
         associate (waves => kept%waves(kept%count + 1))
             hankel => kept%waves(kept%count + 1)%hankel
-            if (allocated(waves%states)) deallocate (waves%states)
-            allocate (waves%states, source=states)
-            waves%farthest = farthest
-            waves%last = last
-            call new_hankel(hankel, load, waves%states, farthest, last, error)
+            call new_hankel(hankel, load, states, farthest, last, error)
             if (allocated(error)) return
             amplitudes = kept%amplitudes + real(size(hankel%all_k), wp)*real(states%steps, wp)
-            is_ready = is_ready .and. kept%count < most_kept .and. amplitudes <= most_kept_amplitudes
+            is_ready = is_ready .and. kept%count < most_kept .and. amplitudes <= most_kept_amplitudes .and. &
+                       states%steps <= most_kept_steps
             if (.not. is_ready) return
+            if (allocated(waves%states)) deallocate (waves%states)
+            allocate (waves%states, source=states)
+            hankel%states => kept%waves(kept%count + 1)%states
+            waves%farthest = farthest
+            waves%last = last
             if (.not. hankel%next_part(error)) return
         end associate
         kept%amplitudes = amplitudes
