@@ -22,7 +22,7 @@ module mdrcontact_material
         !> whether it is isotropic and free of stress
         logical :: is_plain = .true.
         !> its six numbers where it is not
-        type(transverse_t) :: constants
+        type(transverse_t) :: constants = transverse_t()
     contains
         procedure :: in_plane
     end type moduli_t
