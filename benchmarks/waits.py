@@ -422,7 +422,7 @@ interface_shear = ["0.8 GPa"]
 """
 
 
-@row("command: stress with loads at failure, thin film, a/h up to 300")
+@row("command: stress with loads at failure, thin film")
 def _stress() -> Numbers:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "stress.toml"
