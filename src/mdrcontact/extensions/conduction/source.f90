@@ -15,6 +15,7 @@ module mdrcontact_conduction_source
     use mdrcontact_line_rule, only: new_rule, rule_t
     use mdrcontact_line_series, only: add_projections
     use mdrcontact_medium_solver, only: solved_t
+    use mdrcontact_numerics_elliptic, only: complete_b
     use mdrcontact_numerics_quadrature, only: gauss_legendre, graded_edges, mark_breaks, new_antiderivative
     implicit none (type, external)
     private
@@ -25,8 +26,6 @@ module mdrcontact_conduction_source
     real(wp), parameter :: longest_phase = 14.0_wp
     !> Panels shrink towards the axis down to this part of the first break, and towards the edge down to this part of a.
     real(wp), parameter :: nearest_axis = 0.25_wp**23, nearest_edge = 1.0e-5_wp
-    !> Means of the arithmetic-geometric mean of 1 and 1e-15.
-    integer, parameter :: means = 8
     !> Limit of the last coefficients of a series, relative to their mean square.
     real(wp), parameter :: negligible = 1.0e-5_wp
 
@@ -302,34 +301,10 @@ contains
         do i = 1, size(q)
             own = modulo(i - 1, panel_nodes) + 1
             first = i - own + 1
-            part(first:) = dx(first:)*q(first:)*ring(u(i)/u(first:))
+            part(first:) = dx(first:)*q(first:)*complete_b(u(i)/u(first:))
             part(first:first + panel_nodes - 1) = part(first:first + panel_nodes - 1)*to_node(own, :)
             values(i + 1) = a*u(i)*q(i) + sum(part(first:))/half_pi
         end do
     end subroutine spin
-
-    !> B(s) = int_0^(pi/2) cos^2/sqrt(1 - (1 - s^2) sin^2), a complete elliptic integral, by the arithmetic-geometric mean.
-    pure function ring(s) result(b)
-        !> > 0
-        real(wp), intent(in) :: s(:)
-        real(wp) :: b(size(s))
-        real(wp) :: mean, root, next, e, total
-        integer :: i, n
-
-        do i = 1, size(s)
-            mean = 0.5_wp*(1.0_wp + s(i))
-            root = sqrt(s(i))
-            e = 0.5_wp
-            total = 0.25_wp
-            do n = 2, means
-                next = 0.5_wp*(mean + root)
-                root = sqrt(mean*root)
-                mean = next
-                e = (1.0_wp - s(i))*e**2/(4.0_wp*mean)
-                total = total + 2.0_wp**(n - 1)*e**2
-            end do
-            b(i) = half_pi/mean*(0.5_wp - total*(1.0_wp - s(i))/(1.0_wp + s(i)))
-        end do
-    end function ring
 
 end module mdrcontact_conduction_source

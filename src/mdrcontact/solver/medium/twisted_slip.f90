@@ -10,14 +10,13 @@
 !> Under a paraboloid phi = (3 F/(4 pi G a^2)) [K - E] of the modulus sqrt(1 - c^2/a^2) (Lubkin, J. Appl. Mech. 18 (1951) 183).
 !> The axis sticks at any twist: phi grows as ln(1/c).
 module mdrcontact_medium_twisted_slip
-    use, intrinsic :: iso_c_binding, only: c_int
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_medium_slip, only: slip_t, thin
-    use mdrcontact_gsl, only: gsl_sf_ellint_rd, gsl_sf_ellint_rf
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_medium_solver, only: copy, refuse, solver_t
     use mdrcontact_medium_shear_moduli, only: moduli_under_shear
+    use mdrcontact_numerics_elliptic, only: complete_b, complete_k
     use mdrcontact_numerics_quadrature, only: gauss_legendre, graded_rule, mark_breaks, merge_breaks
     use mdrcontact_profile, only: copy, profile_t
     implicit none (type, external)
@@ -129,22 +128,6 @@ contains
         shift = shift/(2.0_wp*pi*self%shear)
         shift_rate = shift_rate/(2.0_wp*pi*self%shear*c)
     end subroutine rates
-
-    !> K = int_0^(pi/2) dt/sqrt(cos^2 t + kappa^2 sin^2 t), the complete integral of the modulus sqrt(1 - kappa^2).
-    elemental function complete_k(kappa) result(value)
-        real(wp), intent(in) :: kappa
-        real(wp) :: value
-
-        value = gsl_sf_ellint_rf(0.0_wp, kappa**2, 1.0_wp, 0_c_int)
-    end function complete_k
-
-    !> B = (E - kappa^2 K)/(1 - kappa^2), the same integral with cos^2 t above.
-    elemental function complete_b(kappa) result(value)
-        real(wp), intent(in) :: kappa
-        real(wp) :: value
-
-        value = kappa**2/3.0_wp*gsl_sf_ellint_rd(0.0_wp, 1.0_wp, kappa**2, 0_c_int)
-    end function complete_b
 
     subroutine panels(self, c, edges, has_root, error)
         class(twisted_slip_t), intent(in) :: self
