@@ -283,6 +283,38 @@ def _folder() -> Numbers:
         return {"output": found["output"], "seconds": spent() - before}
 
 
+def sheet_of(number: int, rows: int) -> list[list[Any]]:
+    """A test of a spreadsheet of an instrument: loading, hold and unloading of a sphere, eight columns."""
+    share = np.interp(np.arange(rows), [0, 0.45 * rows, 0.55 * rows, rows], [0.0, 1.0, 1.0, 0.0])
+    depth = (100.0 + 10.0 * number) * share
+    begins = {0: "Load", int(0.45 * rows): "Hold", int(0.55 * rows): "Unload From Peak"}
+    titles = ["Segment", "Displacement Into Surface", "Load On Sample", "Time On Sample", "Harmonic Contact Stiffness"]
+    units = [None, "nm", "mN", "s", "N/m"]
+    readings = [
+        [begins.get(i, "") and f"{begins[i]} Segment Type", h, 0.0095 * h**1.5, 0.1 * i, 14250.0 * h**0.5, h, 0.0095 * h**1.5, 25.0]
+        for i, h in enumerate(depth.tolist())
+    ]
+    return [[*titles, "Raw Displacement", "Raw Load", "Temperature"], [*units, "nm", "mN", "C"], *readings, ["END"]]
+
+
+@row("command: fits of a workbook of ten tests of 3,700 readings")
+def _workbook() -> Numbers:
+    import openpyxl
+
+    book = openpyxl.Workbook(write_only=True)
+    for number in range(10):
+        sheet = book.create_sheet(f"Test {number + 1:03}")
+        for cells in sheet_of(number, 3700):
+            sheet.append([None if cell == "" else cell for cell in cells])
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        book.save("tests.xlsx")
+        Path("fit.toml").write_text(SPHERE)
+        before = spent()
+        found = command("fit", "tests.xlsx", "--problem", "fit.toml")
+        return {"output": found["output"], "seconds": spent() - before}
+
+
 @row("command: all problems of quickstart.sh (before: a process for each command)")
 def _problems() -> Numbers:
     import mdrcontact
