@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import InvalidArgumentError, MDRError
-from .panel import Axis, Bars, Cells, Label, Line, Panel, Rule, Sheet, limits, side_of
+from .panel import Axis, Bars, Cells, Label, Line, Panel, Rule, Sheet, limits, place_of
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8B4513", "#7f7f7f", "#9a9a00")
 """Okabe and Ito's colours, which all eyes tell apart, and four more."""
@@ -134,13 +134,13 @@ def _wrapped(lines: Iterable[str], width: float) -> list[str]:
 
 
 def _draw_panel(figure: Any, axis: Any, panel: Panel) -> None:
-    for i, part in enumerate(panel.parts):
+    for part in panel.parts:
         if isinstance(part, Line):
             _draw_line(axis, part)
         elif isinstance(part, Rule):
             (axis.axvline if part.vertical else axis.axhline)(part.at, **_look(part, 0.9))
         elif isinstance(part, Label):
-            _draw_label(axis, panel, part, above=i % 2 == 0)
+            _draw_label(axis, panel, part)
         elif isinstance(part, Cells):
             _draw_cells(figure, axis, part, panel.equal)
         elif isinstance(part, Bars):
@@ -190,13 +190,13 @@ def _name_rules(axis: Any, rules: list[Rule]) -> None:
             axis.annotate(part.name, (1.0, part.at), xycoords=("axes fraction", "data"), xytext=(-3, 3), ha="right", **look)
 
 
-def _draw_label(axis: Any, panel: Panel, part: Label, above: bool) -> None:
+def _draw_label(axis: Any, panel: Panel, part: Label) -> None:
     axis.plot(part.x, part.y, part.marker, markersize=5, markerfacecolor="none", color=colour(part.colour), zorder=5, clip_on=False)
-    right = side_of(panel, part) == "right"
-    look: dict[str, Any] = {"color": colour(part.colour), "ha": "left" if right else "right"}
+    height, side = place_of(panel, part)
+    look: dict[str, Any] = {"color": colour(part.colour), "ha": "left" if side == "right" else "right"}
     if any(isinstance(one, Cells) for one in panel.parts):  # legible on any colour
         look |= _outlined("black" if part.colour == "white" else "white")
-    place = 7 if right else -7, 6 if above else -12
+    place = 7 if side == "right" else -7, 6 if height == "above" else -12
     axis.annotate(part.text, (part.x, part.y), xytext=place, textcoords="offset points", **look)
 
 

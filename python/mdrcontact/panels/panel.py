@@ -165,3 +165,20 @@ def side_of(panel: Panel, label: Label) -> str:
     """Return the side of its point on which a text has room, "right" or "left"."""
     ends = [end for one in panel.parts if isinstance(one, Line | Cells) for end in (np.nanmin(one.x), np.nanmax(one.x))]
     return "right" if not ends or label.x < min(ends) + 0.6 * (max(ends) - min(ends)) else "left"
+
+
+def place_of(panel: Panel, label: Label) -> tuple[str, str]:
+    """Return where a text meets no line: "above" or "below" its point, on its side "right" or "left"; several texts in turn."""
+    side = side_of(panel, label)
+    labels = [part for part in panel.parts if isinstance(part, Label)]
+    if len(labels) > 1:
+        return ("above", "below")[labels.index(label) % 2], side
+    return "above" if _rises(panel, label.x) == (side == "left") else "below", side
+
+
+def _rises(panel: Panel, x: float) -> bool:
+    """Whether the first line of a panel rises there."""
+    for line in (part for part in panel.parts if isinstance(part, Line) and len(part.x) > 1):
+        i = min(int(np.argmin(np.abs(line.x - x))), len(line.x) - 2)
+        return bool((line.y[i + 1] - line.y[i]) * (line.x[i + 1] - line.x[i]) >= 0.0)
+    return False

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from .matplotlib import DECADES, LEGEND_BELOW, colour
-from .panel import Array, Axis, Band, Bars, Cells, Label, Line, Panel, Part, Rule, Sheet, limits, side_of
+from .panel import Array, Axis, Band, Bars, Cells, Label, Line, Panel, Part, Rule, Sheet, limits, place_of, side_of
 
 _DASHES = ("solid", "dash", "dot")
 _MARKERS = {"o": "circle", "s": "square", "^": "triangle-up", "x": "x"}
@@ -36,7 +36,7 @@ def draw(figure: Sheet) -> list[Any]:
 
 def _panel(panel: Panel) -> dict[str, Any]:
     maps = [part for part in panel.parts if isinstance(part, Cells)]
-    traces = [trace for i, part in enumerate(panel.parts) for trace in _trace(panel, part, maps, above=i % 2 == 0)]
+    traces = [trace for part in panel.parts for trace in _trace(panel, part, maps)]
     rules = [part for part in panel.parts if isinstance(part, Rule)]
     shapes = [_rule(part, bool(maps)) for part in rules]
     names_of_rules = [_name(panel, part, 14 * i) for i, part in enumerate(part for part in rules if part.name)]
@@ -69,11 +69,11 @@ def _plain(text: str) -> str:
     return text.replace("&", "&amp;").replace("<", "&lt;")
 
 
-def _trace(panel: Panel, part: Part, maps: list[Cells], above: bool) -> Iterator[dict[str, Any]]:
+def _trace(panel: Panel, part: Part, maps: list[Cells]) -> Iterator[dict[str, Any]]:
     if isinstance(part, Line):
         yield _line(part)
     elif isinstance(part, Label):
-        yield _label(panel, part, bool(maps), above)
+        yield _label(panel, part, bool(maps))
     elif isinstance(part, Cells):
         yield _cells(part, np.concatenate([np.ravel(one.values) for one in maps]))
     elif isinstance(part, Band):
@@ -124,12 +124,13 @@ def _outline(of: str) -> str:
     return ", ".join(f"{x}px {y}px 1px {of}" for x in (-1, 1) for y in (-1, 1))
 
 
-def _label(panel: Panel, part: Label, on_map: bool, above: bool) -> dict[str, Any]:
+def _label(panel: Panel, part: Label, on_map: bool) -> dict[str, Any]:
     font: dict[str, Any] = {"color": colour(part.colour), "size": 11}
     if on_map:  # legible on any colour
         font["shadow"] = _outline("black" if part.colour == "white" else "white")
     marker = {"symbol": _MARKERS[part.marker], "size": 8, "color": "rgba(0,0,0,0)", "line": {"color": font["color"], "width": 1.5}}
-    place = {"textposition": f"{'top' if above else 'bottom'} {side_of(panel, part)}", "cliponaxis": False}
+    height, side = place_of(panel, part)
+    place = {"textposition": f"{'top' if height == 'above' else 'bottom'} {side}", "cliponaxis": False}
     text = {"text": [_plain(part.text)], "mode": "markers+text", "textfont": font, "marker": marker}
     return {"type": "scatter", "x": [part.x], "y": [part.y], "showlegend": False, "hoverinfo": "text", **text, **place}
 

@@ -131,7 +131,8 @@ def _over_depth(found: CurveResult) -> Iterator[Panel]:
             ]
         if at is not None:
             parts.append(Label(float(depth.of(at.depth)), float(unit.of(getattr(at, quantity))), "a = h", 1))
-        yield panel._replace(parts=tuple(parts))
+        is_below = any(np.min(part.y) < 0.0 for part in parts if isinstance(part, Line))
+        yield panel._replace(parts=tuple(parts), y=panel.y._replace(low=None) if is_below else panel.y)
 
 
 def _over_radius(found: CurveResult) -> Iterator[Panel]:
