@@ -94,6 +94,29 @@ def test_a_notebook_shows_figures_and_drawings():
     assert figure(GRID)._repr_png_()[:4] == draw(figure(GRID))._repr_png_()[:4] == b"\x89PNG"
 
 
+@pytest.mark.parametrize("name", ["afm_on_pdms", "sio2_on_si"])
+def test_a_text_meets_no_line(name):
+    """ "a = h" crossed curves that rise through its point."""
+    found = studies.curve(problem.load(ROOT / "examples" / "problems" / f"{name}.toml"), references=True)
+    drawn = draw(found.figure())
+    drawn.canvas.draw()
+    texts = 0
+    for axis in drawn.axes:
+        lines = [line.get_path().transformed(line.get_transform()) for line in axis.get_lines() if len(line.get_xdata()) > 1]
+        for text in axis.texts:
+            texts += 1
+            assert not any(line.intersects_bbox(text.get_window_extent(), filled=False) for line in lines), text.get_text()
+    assert texts >= 3
+
+
+def test_forces_below_zero_are_inside_the_panel():
+    """The coating alone pulls at depths at which the coated body pushes."""
+    found = studies.curve(problem.load(ROOT / "examples" / "problems" / "afm_on_pdms.toml"), references=True)
+    axis = draw(found.figure()).axes[0]
+    assert min(line.get_ydata().min() for line in axis.get_lines()) < -20.0
+    assert axis.get_ylim()[0] < min(line.get_ydata().min() for line in axis.get_lines())
+
+
 def test_small_helpers():
     axis, unit = along("depth d", LENGTH, [2e-9, 5e-8], log=True)
     assert (axis.title, axis.log, float(unit.of(1e-9))) == ("depth d [nm]", True, 1.0)
