@@ -444,7 +444,7 @@ MUTATIONS = [
     ("solver/medium/compliance.f90", "values(i) = -values(i)", "values(i) = values(i)", "test_compliance.py"),
     ("solver/medium/compliance_table.f90", "tolerance = 1.0e-11_wp", "tolerance = 1.0e-6_wp", "test_compliance.py"),
     ("solver/medium/power_graded.f90", "*(0.5_wp*k)**m/k", "*k**m/k", "test_compliance.py"),
-    ("../CMakeLists.txt", 'PRIVATE "LINKER:-z,nodelete"', 'PRIVATE "LINKER:-z,now"', "host_unload"),
+    ("../CMakeLists.txt", 'PRIVATE "-Wl,-z,nodelete"', 'PRIVATE "-Wl,-z,now"', "host_unload"),
     ("extensions/wear/past.f90", "abs(mark - past%mark) <= same*abs(mark)", "abs(mark - past%mark) <= 1.0e9_wp*abs(mark)",
      "host_saved"),
     ("extensions/wear/past.f90", "if (abs(numbers(at + 1) - mark_of(numbers(:at))) > 0.0_wp) then", "if (.false.) then",
