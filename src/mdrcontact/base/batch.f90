@@ -125,11 +125,12 @@ contains
     subroutine run_block(batch, number, first, last, failed, helped, error)
         class(batch_t), intent(inout) :: batch
         integer, intent(in) :: number, first, last
-        !> number of the earliest block that has failed, and its error; both shared by the threads
-        integer, intent(inout) :: failed
+        !> Number of the earliest block that has failed, and its error. Both are shared by the threads: without `target` flang 22
+        !> reads `failed` in the critical section from a register.
+        integer, intent(inout), target :: failed
         !> the team of the caller's thread, the only one with a cancel function
         type(c_ptr), intent(in) :: helped
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(inout), target :: error
         type(error_t), allocatable :: found
         integer :: earliest
 
