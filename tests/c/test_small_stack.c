@@ -6,7 +6,7 @@
 
 #include <pthread.h>
 
-enum { KB = 1024, STACK = 128 * KB, MOST = 56 * KB, PAINT = 0xA5 };
+enum { KB = 1024, STACK = 128 * KB, MOST = MOST_KB * KB, PAINT = 0xA5 };
 
 typedef struct task {
     void (*run)(numbers *out);
