@@ -6,18 +6,18 @@ if(NOT result EQUAL 0 OR NOT symbols MATCHES "mdr_contact_new")
   message(FATAL_ERROR "${nm} ${library} did not list the library's symbols")
 endif()
 string(REGEX MATCHALL "[^\n]+ [bBdD] [^\n]+" data "${symbols}")
-# Type descriptors of the compiler; the error text, the number of threads, the question whether to stop and the arithmetic of the
-# host, which are thread-local; and an atomic that says whether GSL's handler is off.
-list(FILTER data EXCLUDE REGEX "(___vtab_|___def_init_|__copy_| last_text$| last_length$| last_failure$| wanted_threads$| cancel_state$| host_arithmetic$| handler_state$)")
+# Type descriptors of the compiler, which for flang are read-only once relocated; the error text, the number of threads, the question
+# whether to stop and the arithmetic of the host, which are thread-local; and an atomic that says whether GSL's handler is off.
+list(FILTER data EXCLUDE REGEX "(___vtab_|___def_init_|__copy_|XDerivedInit$| last_text$| last_length$| last_failure$| wanted_threads$| cancel_state$| host_arithmetic$| handler_state$)")
 if(data)
   string(REPLACE ";" "\n" data "${data}")
   message(FATAL_ERROR "static data in ${library}:\n${data}")
 endif()
 
-# Global symbols: mdr_... in both libraries; in the static one also the module procedures, the C functions that Fortran calls and the
-# objects of GSL that it refers to.
+# Global symbols: mdr_... in both libraries; in the static one also the module procedures and constants, which flang names _QM..., _QQ...
+# and _FortranA..., the C functions that Fortran calls and the objects of GSL that it refers to.
 string(REGEX MATCHALL "[^\n]+ [TDBRCVW] [^\n]+" global "${symbols}")
-list(FILTER global EXCLUDE REGEX " [TDBRCVW] (mdr_[a-z0-9_]+|gsl_[a-z_]+|mdrcontact_[a-z0-9_]+|__mdrcontact_.*|__copy_.*|\\.gomp_critical_user_mdrcontact_.*)$")
+list(FILTER global EXCLUDE REGEX " [TDBRCVW] (mdr_[a-z0-9_]+|gsl_[a-z_]+|mdrcontact_[a-z0-9_]+|__mdrcontact_.*|__copy_.*|_Q[MQ].*|_FortranA.*|\\.gomp_critical_user_mdrcontact_.*)$")
 if(global)
   string(REPLACE ";" "\n" global "${global}")
   message(FATAL_ERROR "global symbols in ${library}:\n${global}")
