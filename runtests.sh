@@ -53,7 +53,7 @@ install_system_packages "${tools[@]}"
 say "2/6 Python package in .venv"
 install_python_package test "${python_tools[@]}"
 
-say "3/6 Linters and documentation: beside the compilation, which leaves cores idle; their words follow it"
+say "3/6 Linters and documentation: next to the compilation and ctest; their output follows that of ctest"
 linters() {
     check fortitude .venv/bin/fortitude check src tests examples python
     check ruff .venv/bin/ruff check python tests examples docs tools
@@ -72,10 +72,10 @@ build_all() {
         with_progress "$log_dir/build.log" cmake --build "$build" --parallel "$jobs"
 }
 check build build_all
-wait "$linters_job"
-cat "$log_dir/linters.log"
 ctest --test-dir "$build" --parallel "$jobs" ${ctest_options[@]+"${ctest_options[@]}"} --output-on-failure --no-tests=error \
     --test-output-size-passed 1000000 --test-output-size-failed 1000000 --output-junit "$PWD/$results/ctest.xml"
+wait "$linters_job"
+cat "$log_dir/linters.log"
 
 # the library without any extension: it is built, passes its tests, and is used as installed
 core() {

@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The largest stresses inside bodies, against points that know nothing of the search."""
 
-import itertools
-
 import numpy as np
-import pytest
 from hypothesis import strategies as st
 
 import mdrcontact as mdr
@@ -52,8 +49,7 @@ def inside(medium, state, rng):
         yield np.clip(r, 0.0, reach), top * (1.0 + 1e-14) + depth * (1.0 - 1e-14) * z
 
 
-@relation(12, tip=d.smooth_tips, medium=st.one_of(d.homogeneous, stacks), share=d.shares, friction=frictions, seed=seeds)
-@pytest.mark.slow
+@relation(6, tip=d.smooth_tips, medium=st.one_of(d.homogeneous, stacks), share=d.shares, friction=frictions, seed=seeds)
 def test_no_sample_exceeds_a_maximum(tip, medium, share, friction, seed):
     """Many more points than the search has, in layers, at interfaces and on the free surface; each maximum is the stress at its
     place."""
@@ -65,10 +61,13 @@ def test_no_sample_exceeds_a_maximum(tip, medium, share, friction, seed):
     spread = list(inside(medium, state, rng))
     assert len(spread) == len(found.layers)
     for (r, z), layer in zip(spread, found.layers, strict=True):
-        for name, angle in itertools.product(("von_mises", "tresca", "tension"), angles):
-            field = state.interior(r[:, None], z[None, :], friction=friction, angle=angle)
+        for angle in angles:
+            everywhere = stresses(state.interior(r[:, None], z[None, :], friction=friction, angle=angle))
+            for name, values in everywhere.items():
+                excess = max(np.max(values) - getattr(layer, name).value, 0.0)
+                near(excess, 0.0, WITHOUT_SINGULARITY, size=size, what=name)
+        for name in ("von_mises", "tresca", "tension"):
             largest = getattr(layer, name)
-            near(max(np.max(stresses(field)[name]) - largest.value, 0.0), 0.0, WITHOUT_SINGULARITY, size=size, what=name)
             there = state.interior(largest.r, largest.z, friction=friction, angle=largest.angle)
             near(largest.value, stresses(there)[name], 1e-9, size=size, what=f"{name} there")
     for depth, interface in zip(faces(medium), found.interfaces, strict=True):
