@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import functools
 import platform
 import re
 import shutil
@@ -42,6 +43,23 @@ def has_fma():
     return platform.machine() != "x86_64" or " fma " in words
 
 
+@pytest.fixture(scope="module")
+def compiled(tmp_path_factory):
+    """Compiles a program of tests/headers by a compiler, once for all laws."""
+    folder = tmp_path_factory.mktemp("headers")
+
+    @functools.cache
+    def program(source, name):
+        compiler, *options = HOSTS[name]
+        if not shutil.which(compiler) or not has_fma():
+            pytest.skip(f"{compiler} is not installed, or the processor has no fused multiplication")
+        target = folder / f"{source} {name}"
+        run([compiler, *options, *STRICT, HEADERS / f"{source}.c", "-o", target, "-lm"], folder)
+        return target
+
+    return program
+
+
 @pytest.fixture(params=LAWS, scope="module")
 def law(request):
     return mdr.ContactLaw(largest_depth=1e-7, **LAWS[request.param])
@@ -58,12 +76,8 @@ def depths(law):
 @pytest.mark.filterwarnings("ignore::mdrcontact.errors.BeyondRangeWarning")
 @pytest.mark.parametrize("name", HOSTS)
 @pytest.mark.parametrize("branch", ["loading", "unloading"])
-def test_bits_of_the_library(name, branch, law, tmp_path):
-    compiler, *options = HOSTS[name]
-    if not shutil.which(compiler) or not has_fma():
-        pytest.skip(f"{compiler} is not installed, or the processor has no fused multiplication")
-    program = tmp_path / "law_points"
-    run([compiler, *options, *STRICT, HEADERS / "law_points.c", "-o", program, "-lm"], tmp_path)
+def test_bits_of_the_library(name, compiled, branch, law, tmp_path):
+    program = compiled("law_points", name)
     d = depths(law)
     d.tofile(tmp_path / "depths")
     law.buffer().tofile(tmp_path / "buffer")
@@ -83,12 +97,8 @@ PLASTIC = {
 
 @pytest.mark.parametrize("name", HOSTS)
 @pytest.mark.parametrize(("metal", "gamma"), [("perfect", 0.0), ("hardening", 0.0), ("perfect", 1e-13)])
-def test_bits_of_plastic_laws(name, metal, gamma, tmp_path):
-    compiler, *options = HOSTS[name]
-    if not shutil.which(compiler) or not has_fma():
-        pytest.skip(f"{compiler} is not installed, or the processor has no fused multiplication")
-    program = tmp_path / "plastic_points"
-    run([compiler, *options, *STRICT, HEADERS / "plastic_points.c", "-o", program, "-lm"], tmp_path)
+def test_bits_of_plastic_laws(name, compiled, metal, gamma, tmp_path):
+    program = compiled("plastic_points", name)
     law = PlasticLaw(mdr.Paraboloid(1.0), Yielding(mdr.Elastic(1.0, 0.3), **PLASTIC[metal]), 1e-5, work_of_adhesion=gamma)
     rng = np.random.default_rng(3)
     memory = law.contacts(5000)
