@@ -264,7 +264,7 @@ def gauss(law, memory, start, end):
 def test_energy_balance_on_random_paths():
     law, _ = law_of(0.3, 60.0)
     rng = np.random.default_rng(7)
-    contacts, segments = 500, 200
+    contacts, segments = 4000, 25
     memory = law.contacts(contacts)
     depth, work = np.zeros(contacts), np.zeros(contacts)
     lost = np.zeros(contacts)
