@@ -207,7 +207,8 @@ int mdr_last_failure(mdr_failure *failure);
  *  Structures made of user functions, and calls inside a parallel region, also use the calling thread only. Results are bitwise
  *  identical for every number of threads. If several entries fail, the error is that of the first one. A library built without
  *  OpenMP uses one thread.
- *  @param threads  at least 1, or 0 for the number that OpenMP offers
+ *  @param threads  at least 1; or 0 for the number that OpenMP offers, used only from where the rest of an iterative solution takes
+ *                  longer than about 0.3 s: threads that are started for less cost more processor time than they save
  *  @code
  *  status = mdr_set_threads(4);
  *  @endcode

@@ -5,6 +5,7 @@
 !> the calling thread.
 module mdrcontact_batch
     use, intrinsic :: iso_c_binding, only: c_int64_t, c_null_ptr, c_ptr
+    use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_cancel, only: check_cancelled, help_team, lead_team, stop_team
     use mdrcontact_error, only: count_text, error_cancelled, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
@@ -70,6 +71,9 @@ module mdrcontact_batch
     integer, parameter :: map_block = 2048, map_smallest = 16384
     !> More threads gain nothing, and where the system cannot start them the OpenMP runtime ends the program.
     !$ integer, parameter :: most_per_processor = 4
+    !> Where the caller leaves the number of threads to the library: seconds of rest from which several pay, and seconds of work
+    !> from which the rest is estimated. OpenMP's threads spin for some hundredths of a second when they have nothing to do.
+    real(wp), parameter :: least_rest = 0.3_wp, least_seen = 0.01_wp
 
 contains
 
@@ -78,24 +82,23 @@ contains
     subroutine run_batch(batch, n, block, smallest, threads, error)
         class(batch_t), intent(inout) :: batch
         integer, intent(in) :: n, block, smallest
-        !> at least 1, or 0 for as many as OpenMP offers
+        !> at least 1, or 0 for as many as OpenMP offers from where the rest takes long
         integer, intent(in) :: threads
         type(error_t), allocatable, intent(inout) :: error
-        integer :: i, blocks, team, failed
+        integer :: i, blocks, team, failed, done
         type(c_ptr) :: helped
         integer(c_int64_t) :: before(16)
 
         if (allocated(error) .or. n < 1) return
         blocks = (n - 1)/block + 1
         team = min(team_size(n, smallest, threads), blocks)
+        done = 0
         if (team == 1) then
-            do i = 1, blocks
-                call batch%work((i - 1)*block + 1, last_of(i, block, n), error)
-                if (.not. (allocated(error) .or. batch%is_quick)) call check_cancelled(error)
-                if (allocated(error)) return
-            end do
-            return
+            call run_alone(batch, n, block, huge(1.0_wp), done, error)
+        else if (threads == 0 .and. .not. batch%is_quick) then
+            call run_alone(batch, n, block, least_rest, done, error)
         end if
+        if (allocated(error) .or. done == blocks) return
         failed = blocks + 1
         ! Dynamic: blocks begin in ascending order, and those after a failed one need not begin.
         helped = lead_team()
@@ -103,7 +106,7 @@ contains
         call mdrcontact_set_arithmetic(before)
         call help_team(helped)
         !$omp do schedule(dynamic)
-        do i = 1, blocks
+        do i = done + 1, blocks
             call run_block(batch, i, (i - 1)*block + 1, last_of(i, block, n), failed, helped, error)
         end do
         !$omp end do
@@ -111,6 +114,34 @@ contains
         call mdrcontact_set_arithmetic_back(before)
         !$omp end parallel
     end subroutine run_batch
+
+    !> Blocks on the calling thread, up to the one that fails, or to where the rest takes longer than `most_rest`.
+    subroutine run_alone(batch, n, block, most_rest, done, error)
+        class(batch_t), intent(inout) :: batch
+        integer, intent(in) :: n, block
+        !> seconds; huge: all blocks
+        real(wp), intent(in) :: most_rest
+        !> number of blocks
+        integer, intent(out) :: done
+        type(error_t), allocatable, intent(inout) :: error
+        integer(int64) :: began, now, rate
+        integer :: blocks
+        real(wp) :: seconds
+
+        blocks = (n - 1)/block + 1
+        if (most_rest < huge(1.0_wp)) call system_clock(began, rate)
+        done = 0
+        do while (done < blocks)
+            done = done + 1
+            call batch%work((done - 1)*block + 1, last_of(done, block, n), error)
+            if (.not. (allocated(error) .or. batch%is_quick)) call check_cancelled(error)
+            if (allocated(error)) return
+            if (.not. most_rest < huge(1.0_wp)) cycle
+            call system_clock(now)
+            seconds = real(now - began, wp)/real(rate, wp)
+            if (seconds > least_seen .and. seconds*(blocks - done) > most_rest*done) return
+        end do
+    end subroutine run_alone
 
     !> The last entry of a block: i*block itself may exceed every integer.
     pure function last_of(i, block, n) result(last)
