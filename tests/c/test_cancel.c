@@ -57,6 +57,10 @@ static int place(void) { return mdr_structure_modulus(balls, MANY, in, in, in + 
 static int cells(void) { return mdr_structure_modulus(voxels, MANY, in, in, in + 1, out); }
 static int table(void) { return mdr_structure_medium(balls, 0.0, 0.0, 0.01, 10.0, 100000, &medium); }
 #endif
+#ifdef MDRCONTACT_POROELASTIC_H
+static mdr_poroelastic *gel;
+static int table_of_gel(void) { return mdr_poroelastic_new(0.3, MDR_DRAINAGE_SEALED, 4.0, out, &gel); }
+#endif
 static int torsion(void) { return mdr_medium_values(film, MDR_TORSIONAL_STIFFNESS, MANY, in, out); }
 #ifdef MDRCONTACT_TIME_H
 static int path(void)
@@ -216,6 +220,9 @@ int main(void)
     check_cancelled("fit", fit);
 #endif
     check_cancelled("torsion", torsion);
+#ifdef MDRCONTACT_POROELASTIC_H
+    check_cancelled("table of a gel", table_of_gel);
+#endif
 #ifdef MDRCONTACT_TIME_H
     check_cancelled("path in time", path);
 #endif
@@ -237,6 +244,10 @@ int main(void)
     check_cancelled("states, two threads", states);
 #ifdef MDRCONTACT_LATERAL_H
     check_cancelled("shapes, two threads", place);
+#endif
+#ifdef MDRCONTACT_POROELASTIC_H
+    check_cancelled("table of a gel, two threads", table_of_gel);
+    CHECK_TRUE(gel == NULL);
 #endif
     CHECK_SUCCESS(mdr_set_threads(1));
     answers_no = 1;

@@ -5,6 +5,7 @@
 !> Chebyshev series in log tau, one a decade. Construction ends with a look between their nodes, at finer waves and more
 !> polynomials. Shorter times follow from the terms with which the responses begin, longer ones are solved one by one.
 module mdrcontact_poroelastic_table
+    use mdrcontact_batch, only: batch_t, check_threads, run_batch
     use mdrcontact_nonfinite, only: is_finite
     use mdrcontact_error, only: check_made, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
@@ -47,11 +48,19 @@ module mdrcontact_poroelastic_table
         procedure :: value
     end type poroelastic_t
 
+    !> The decades of a table: each has a series and a misfit of its own.
+    type, extends(batch_t) :: decades_t
+        type(poroelastic_t), pointer :: table => null()
+        real(wp), pointer :: misfit(:) => null()
+    contains
+        procedure :: work => fill
+    end type decades_t
+
 contains
 
     !> Computes the table.
-    subroutine new_poroelastic(self, poisson, drainage, ratio, error)
-        type(poroelastic_t), intent(out) :: self
+    subroutine new_poroelastic(self, poisson, drainage, ratio, error, threads)
+        type(poroelastic_t), intent(out), target :: self
         !> drained Poisson's ratio, -1 < nu < 1/2
         real(wp), intent(in) :: poisson
         !> drains_by_surface, sealed or sealed_by_indenter
@@ -59,9 +68,17 @@ contains
         !> contact radius over the thickness of a film on a rigid base, 0 to 4; 0: half-space
         real(wp), intent(in) :: ratio
         type(error_t), allocatable, intent(out) :: error
+        !> at least 1 (default), or 0 for as many as OpenMP offers
+        integer, intent(in), optional :: threads
+        type(decades_t) :: decades
         type(basis_t) :: basis
-        integer :: i
+        real(wp), allocatable, target :: misfit(:)
+        integer :: i, team
 
+        team = 1
+        if (present(threads)) team = threads
+        call check_threads(error, team)
+        if (allocated(error)) return
         call new_gel(self%gel, poisson, drainage, ratio, error)
         if (allocated(error)) return
         call basis_for(self%gel, 1.0_wp, 1.0_wp, basis, error)
@@ -70,9 +87,13 @@ contains
         if (allocated(error)) return
         self%first = first_time(self%gel)
         allocate (self%series(terms, columns, nint(log10(last_time/self%first))))
-        do i = 1, size(self%series, 3)
-            call fill(self, i, error)
-            if (allocated(error)) return
+        allocate (misfit(size(self%series, 3)))
+        decades%table => self
+        decades%misfit => misfit
+        call run_batch(decades, size(misfit), 1, 2, team, error)
+        if (allocated(error)) return
+        do i = 1, size(misfit)
+            call keep_largest(self%error, misfit(i))
         end do
         call fill_early(self, error)
         if (.not. self%error <= allowed) call raise(error, error_no_convergence, "the table of this gel has an error of "// &
@@ -102,7 +123,8 @@ contains
         end do
         call fit_early(tau, values, self%early, error)
         do i = 1, size(between)
-            call compare(self, self%undrained + early_part(self%early, between(i)*self%first), checked(:, i))
+            call keep_largest(self%error, misfit_of(self, self%undrained + early_part(self%early, between(i)*self%first), &
+                                                    checked(:, i)))
         end do
     end subroutine fill_early
 
@@ -119,29 +141,52 @@ contains
         call answers(gel, basis, tau, values, error)
     end subroutine early_answers
 
-    !> Keeps the largest misfit.
-    pure subroutine compare(self, values, exact)
-        type(poroelastic_t), intent(inout) :: self
+    !> The largest difference of the columns, relative to the force.
+    pure function misfit_of(self, values, exact) result(largest)
+        type(poroelastic_t), intent(in) :: self
         real(wp), intent(in) :: values(columns), exact(columns)
-        real(wp) :: misfit
+        real(wp) :: largest
         integer :: j
 
+        largest = 0.0_wp
         do j = 1, columns
-            misfit = abs(values(j) - exact(j))/max(abs(exact(j)), self%drained(1))
-            ! A NaN counts as an error
-            if (.not. misfit <= self%error) self%error = misfit
+            call keep_largest(largest, abs(values(j) - exact(j))/max(abs(exact(j)), self%drained(1)))
         end do
-    end subroutine compare
+    end function misfit_of
 
-    !> One decade, and what lies between its nodes.
-    subroutine fill(self, decade, error)
+    !> A NaN counts as an error, and stays.
+    pure subroutine keep_largest(largest, misfit)
+        real(wp), intent(inout) :: largest
+        real(wp), intent(in) :: misfit
+
+        if (largest >= misfit .or. .not. largest <= largest) return
+        largest = misfit
+    end subroutine keep_largest
+
+    !> Some decades, and what lies between their nodes.
+    subroutine fill(self, first, last, error)
+        class(decades_t), intent(inout) :: self
+        integer, intent(in) :: first, last
+        type(error_t), allocatable, intent(out) :: error
+        integer :: i
+
+        do i = first, last
+            call fill_one(self%table, i, self%misfit(i), error)
+            if (allocated(error)) return
+        end do
+    end subroutine fill
+
+    !> One decade.
+    subroutine fill_one(self, decade, misfit, error)
         type(poroelastic_t), intent(inout) :: self
         integer, intent(in) :: decade
+        real(wp), intent(out) :: misfit
         type(error_t), allocatable, intent(inout) :: error
         type(basis_t) :: basis
         real(wp) :: values(columns, terms), exact(columns, 2), shortest
         integer :: i, j
 
+        misfit = 0.0_wp
         shortest = self%first*10.0_wp**(decade - 1)
         call basis_for(self%gel, shortest, 10.0_wp*shortest, basis, error)
         call answers(self%gel, basis, [(shortest*10.0_wp**(0.5_wp + 0.5_wp*node(i, terms)), i=1, terms)], values, error)
@@ -151,9 +196,10 @@ contains
         call answers(self%gel, basis, shortest*10.0_wp**[0.3_wp, 0.7_wp], exact, error)
         if (allocated(error)) return
         do i = 1, 2
-            call compare(self, [(chebyshev_sum(self%series(:, j, decade), 0.8_wp*i - 1.2_wp), j=1, columns)], exact(:, i))
+            call keep_largest(misfit, misfit_of(self, [(chebyshev_sum(self%series(:, j, decade), 0.8_wp*i - 1.2_wp), &
+                                                        j=1, columns)], exact(:, i)))
         end do
-    end subroutine fill
+    end subroutine fill_one
 
     !> One column at tau, or at the frequency 1/tau, >= 0; at the ends those of the elastic bodies.
     subroutine value(self, column, tau, y, error)
