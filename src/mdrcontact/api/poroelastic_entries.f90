@@ -5,7 +5,7 @@ module mdrcontact_api_poroelastic_entries
     use mdrcontact_api_arrays, only: check_each_finite, check_each_positive, check_results, make_room, return_parts
     use mdrcontact_api_handles, only: return_object
     use mdrcontact_api_poroelastic_open_handle, only: open_handle
-    use mdrcontact_api_status, only: status_of
+    use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_error, only: check_choice, error_t
     use mdrcontact_poroelastic_compliance, only: poroelastic_compliance
     use mdrcontact_poroelastic_history, only: poroelastic_history
@@ -35,7 +35,7 @@ contains
         type(error_t), allocatable :: error
 
         allocate (made)
-        call new_poroelastic(made, nu, drainage, ratio, error)
+        call new_poroelastic(made, nu, drainage, ratio, error, wanted_threads())
         deviation_value = 0.0_c_double
         if (.not. allocated(error)) deviation_value = made%error
         call move_alloc(made, object)
