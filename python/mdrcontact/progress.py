@@ -135,6 +135,12 @@ class Progress:
             raise raised[0]
 
 
+def is_stopped() -> bool:
+    """Return whether the `stop` that this thread listens to ends its work."""
+    cancel = getattr(_NOW, "cancel", None)
+    return cancel is not None and bool(cancel(None))
+
+
 def _usual() -> Any:
     """Return the usual cancel function of this thread: Ctrl-C in the main one."""
     return _CANCEL(native.interrupted) if threading.current_thread() is threading.main_thread() else None

@@ -11,6 +11,7 @@ from typing import Any, TypeVar
 from .._warn import reported_to
 from ..errors import MDRError
 from ..progress import Progress
+from ..threads import all_cores
 
 KEPT = 20
 """Number of results that are kept."""
@@ -44,7 +45,7 @@ class Job(threading.Thread):
     def run(self) -> None:
         """Do the work."""
         try:
-            with reported_to(_drop):
+            with reported_to(_drop), all_cores():
                 self.result = self._work(Progress(self._step, self._stop_soon.is_set))
         except (Exception, MemoryError) as problem:  # noqa: BLE001 - the page shows it
             self.problem = problem

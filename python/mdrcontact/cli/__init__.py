@@ -14,6 +14,7 @@ from .. import __version__
 from .._warn import reported_to
 from ..errors import MDRError
 from ..problem import ProblemError
+from ..threads import all_cores
 from . import (
     adhesion,
     app,
@@ -93,7 +94,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     chosen = make_parser()[0].parse_args(words)
     chosen.command = shlex.join(["mdrcontact", *words])
     try:
-        with reported_to(_Warnings()):
+        with reported_to(_Warnings()), all_cores():
             chosen.run(chosen)
         print(end="", flush=True)
     except ProblemError as problem:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import os
 import threading
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -18,6 +17,7 @@ from .._interrupt import workers
 from ..errors import ArgumentTypeError, InvalidArgumentError, OutOfMemoryError
 from ..material import Elastic
 from ..progress import Progress
+from ..threads import cores
 from ..weights import weight_j0, weight_j1
 from .structure import PowerMean, shear
 from .voxels import Voxels
@@ -359,9 +359,7 @@ def _team(threads: int) -> int:
     """Number of threads that `threads` means; 0: one per core."""
     if thread_count(threads) < 0:
         raise InvalidArgumentError(f"threads = {threads!r}: it must be at least 1, or 0 for one per core")
-    if threads:
-        return threads
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return threads or cores()
 
 
 def _pair(name: str, value: Any, least: int) -> tuple[int, int]:

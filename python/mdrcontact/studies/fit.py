@@ -21,7 +21,7 @@ from ..instruments.fitting.result import Interval
 from ..panels import Figure
 from ..progress import Progress
 from .estimates import estimates
-from .result import Array, Column, Number, Result, column, in_turn, study
+from .result import Array, Column, Number, Result, column, shared, study
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -204,8 +204,8 @@ def _intervals(found: FitResult, method: str, progress: Progress) -> dict[str, I
     if method == "monte-carlo":
         progress.step(0, 1, "intervals")
         return found.simulated_intervals(seed=0)
-    names = in_turn(progress, found.names, len(found.names), "intervals")
-    return {name: found.interval(name, method=method) for name in names}
+    ends = shared(progress, lambda name: found.interval(name, method=method), found.names, "intervals")
+    return dict(zip(found.names, ends, strict=True))
 
 
 def _ranges(moves: Moves | None) -> dict[str, list[Column]]:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _warn
+from .._parts import share
 from .._units import QUANTITIES, Dimension, Unit, practical, shown
 from ..progress import Progress
 
@@ -20,6 +21,7 @@ Array = NDArray[np.float64]
 P = ParamSpec("P")
 R = TypeVar("R", bound="Result")
 T = TypeVar("T")
+U = TypeVar("U")
 
 
 class Number(NamedTuple):
@@ -195,6 +197,13 @@ def study(function: Callable[P, R]) -> Callable[P, R]:
         return replace(found, warnings=(*found.warnings, *_warn.texts_of(cautions)))
 
     return whole
+
+
+def shared(progress: Progress, work: Callable[[T], U], parts: Iterable[T], what: str) -> list[U]:
+    """Return the results of independent parts of a loop in their order, and report how many are done."""
+    tasks = list(parts)
+    progress.step(0, len(tasks), what)
+    return share(work, tasks, done=lambda done: progress.step(done, len(tasks), what))
 
 
 def in_turn(progress: Progress, parts: Iterable[T], total: int, what: str) -> Iterator[T]:

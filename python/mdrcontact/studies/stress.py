@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from ..panels import Axis, Cells, Figure, Label, Line, Panel, Part, Rule, along
 from ..problem import Problem, ProblemError
 from ..problem.strength import Strengths
 from ..progress import Progress
-from .result import Array, Column, Mixed, Number, Result, Table, Words, column, in_turn, study
+from .result import Array, Column, Mixed, Number, Result, Table, Words, column, shared, study
 
 _POINTS = 121
 _FARTHEST = 2.0
@@ -233,13 +233,16 @@ def stress(
 
 
 def _failures(contact: Contact, strengths: Strengths, friction: float, largest: float, progress: Progress) -> tuple[Failure, ...]:
-    found: list[Failure] = []
-    for mode, values in in_turn(progress, strengths.items(), len(strengths), "modes"):
-        if any(value is not None for value in values):
-            try:
-                found += contact.first_failure({mode: tuple(values)}, friction=friction, largest_radius=largest)
-            except InvalidArgumentError as problem:
-                raise ProblemError(f"[strength]: {problem}") from problem
+    def of_mode(strength: tuple[str, Any]) -> Iterable[Failure]:
+        mode, values = strength
+        if all(value is None for value in values):
+            return ()
+        try:
+            return contact.first_failure({mode: tuple(values)}, friction=friction, largest_radius=largest)
+        except InvalidArgumentError as problem:
+            raise ProblemError(f"[strength]: {problem}") from problem
+
+    found = [failure for part in shared(progress, of_mode, strengths.items(), "modes") for failure in part]
     if all(value is None for values in strengths.values() for value in values):
         raise ProblemError('[strength]: all strengths are "none"')
     return tuple(sorted(found, key=lambda failure: float(failure.state.force)))

@@ -11,7 +11,7 @@ from ..errors import InvalidArgumentError
 from ..progress import Progress
 from ..validation import CHECKS
 from ..validation.page import TITLES, Row, counted, programs, run
-from .result import Number, Result, in_turn, in_words, study
+from .result import Number, Result, in_words, shared, study
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -57,9 +57,11 @@ def validate(*, full: bool = False, only: str | None = None, progress: Progress 
     chosen = [check for check in CHECKS if only in (None, check.name)]
     if not chosen:
         raise InvalidArgumentError(f"only = {only!r}: {nearest(str(only), [check.name for check in CHECKS])}")
-    rows: list[Row] = []
-    for check in in_turn(progress or Progress(), chosen, len(chosen), "comparisons"):
-        rows += run([check], full)
+    # programs of others need not expect each other in several threads
+    others = [check for check in chosen if check.needs]
+    parts = [others] * bool(others) + [[check] for check in chosen if not check.needs]
+    found = shared(progress or Progress(), lambda part: run(part, full), parts, "comparisons")
+    rows = sorted((row for part in found for row in part), key=lambda row: chosen.index(row.check))
     beyond = tuple(row.check.name for row in rows if not row.holds)
     *left, held = counted(rows)
     return ValidateResult(

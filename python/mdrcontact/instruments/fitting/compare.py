@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ... import medium as media
+from ..._parts import share
 from ..._text import aligned, html_table
 from ...errors import ArgumentTypeError, MDRError
 from ...material import RIGID
@@ -194,14 +195,17 @@ def compare_models(
     if not isinstance(medium, (media.Coated, media.Layered)):
         raise ArgumentTypeError(f"medium = {medium!r}: only coated and layered media have several models")
     chosen = list(models) if models is not None else _candidates(medium)
-    found: dict[str, FitResult] = {}
-    refused: dict[str, str] = {}
-    for model in chosen:
+
+    def one(model: str) -> FitResult | str:
         try:
             same = medium if model == medium.model else medium.with_model(model)
-            found[model] = fit(data, indenter, same, free, **options)
+            return fit(data, indenter, same, free, **options)
         except MDRError as problem:
-            refused[model] = str(problem)
+            return str(problem)
+
+    results = dict(zip(chosen, share(one, chosen), strict=True))
+    found = {model: result for model, result in results.items() if not isinstance(result, str)}
+    refused = {model: words for model, words in results.items() if isinstance(words, str)}
     if not found:
         raise MDRError("no model could be fitted: " + "; ".join(f"{model}: {words}" for model, words in refused.items()))
     lowest = min(result.aic for result in found.values())

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
+from ..._parts import share
 from ...contact import Contact
 from ...errors import ArgumentTypeError, InvalidArgumentError, NoConvergenceError
 from ...panels import Figure
@@ -219,7 +220,8 @@ def compare_drainages(
     """
     wanted = [name for name in DRAINAGES if name != "indenter" or not hasattr(medium, "thickness")]
     names = _names(free)
-    return tuple(sorted((fit_gel(data, indenter, medium, names, drainage=name) for name in wanted), key=lambda fit: fit.chi_square))
+    fits = share(lambda name: fit_gel(data, indenter, medium, names, drainage=name), wanted)
+    return tuple(sorted(fits, key=lambda fit: fit.chi_square))
 
 
 def _names(free: Iterable[str]) -> tuple[str, ...]:
@@ -271,7 +273,10 @@ class _Answers:
 
     def between(self, nu: float, diffusivity: float) -> Array:
         """Readings interpolated between the tables."""
-        series = chebyshev.chebfit(_PLACES, np.array([self.of(ratio, diffusivity) for ratio in _TABLES]), len(_PLACES) - 1)
+        # a table takes long when it is made, and is kept
+        gather: Any = map if self.of.cache_info().misses else share
+        values = [*gather(lambda ratio: self.of(ratio, diffusivity), _TABLES)]
+        series = chebyshev.chebfit(_PLACES, np.array(values), len(_PLACES) - 1)
         return np.asarray(chebyshev.chebval(_place(nu), series))
 
 

@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 
 from ..._boundary import thread_count
 from ..._files import replace
-from ..._interrupt import workers
+from ..._parts import share
 from ..._text import html_table
 from ...errors import ArgumentTypeError, InvalidArgumentError, MDRError
 from ...panels import Axis, Bars, Figure, Line, Panel, along
+from ...threads import cores
 from . import report
 from .between import MeanOfTests, mean_of_tests
 from .data import Data
@@ -381,7 +382,6 @@ def fit_many(
     tasks = list(curves)
     if thread_count(threads) < 0:
         raise InvalidArgumentError(f"threads = {threads!r}: it must be at least 1, or 0 for one per core")
-    results: list[FitResult | FailedFit] = []
 
     def one(index: int) -> FitResult | FailedFit:
         try:
@@ -390,9 +390,5 @@ def fit_many(
         except MDRError as problem:
             return FailedFit(index, problem)
 
-    with workers(threads or os.cpu_count()) as pool:
-        for done, result in enumerate(pool.map(one, range(len(tasks))), start=1):
-            results.append(result)
-            if progress is not None:
-                progress(done)
-    return FitResults(results)
+    follow = {} if progress is None else {"done": progress}
+    return FitResults(share(one, range(len(tasks)), threads=threads or cores(), **follow))

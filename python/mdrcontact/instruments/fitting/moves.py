@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ... import _layout
 from ..._choices import nearest
+from ..._parts import share
 from ..._units import MODULUS, QUANTITIES, shown
 from ...errors import InvalidArgumentError, MDRError
 from ...panels import Figure, Line, Panel, along
@@ -176,10 +177,9 @@ def find_moves(result: FitResult, name: str | None = None) -> Moves:
     )
     if result.data.code > _layout.FIT_STIFFNESS_RADIUS or len(result.data) < _FEWEST:
         return Moves(result, chosen, (), (), ())
-    parts = (_moved(result, chosen, *choice) for choice in _ranges(result))
-    branches = (_moved(result, chosen, *choice) for choice in _branches(result))
-    points = (_moved(result, chosen, *choice) for choice in _contact_points(result))
-    return Moves(result, chosen, *(tuple(move for move in moves if move is not None) for moves in (parts, branches, points)))
+    kinds = [[*_ranges(result)], [*_branches(result)], [*_contact_points(result)]]
+    moves = iter(share(lambda choice: _moved(result, chosen, *choice), [choice for kind in kinds for choice in kind]))
+    return Moves(result, chosen, *(tuple(move for _ in kind if (move := next(moves)) is not None) for kind in kinds))
 
 
 _Choice = tuple[str, float, Data, dict[str, float]]

@@ -18,11 +18,12 @@ from numpy.typing import NDArray
 from ..._boundary import call, native, number, whole
 from ..._choices import nearest
 from ..._files import replace
-from ..._interrupt import workers
+from ..._parts import share
 from ..._text import aligned, html_table
 from ..._units import QUANTITIES, practical
 from ...errors import InvalidArgumentError, MDRError
 from ...panels import Figure
+from ...threads import cores
 from .contradictions import contradictions
 from .data import ForceDepth, StiffnessDepth
 from .indent import Indent, find_indent
@@ -330,8 +331,7 @@ class FitResult:
                 return None
             return [float(values[problem.names.index(name)]) for name in self.names]
 
-        with workers(os.cpu_count()) as pool:
-            rows = [row for row in pool.map(one, trials) if row is not None]
+        rows = [row for row in share(one, trials, threads=cores()) if row is not None]
         if len(rows) < 0.9 * draws:
             raise MDRError(f"only {len(rows)} of {draws} simulated data sets could be fitted: there is no interval from them")
         return np.array(rows)
