@@ -408,6 +408,11 @@ def _critical_thin() -> Numbers:
     return largest(0.01)
 
 
+@row("critical: thin film, a/h = 100, sliding")
+def _critical_thin_sliding() -> Numbers:
+    return largest(0.01, friction=0.3)
+
+
 @row("critical: thin film, a/h = 300, sliding")
 def _critical_thinnest() -> Numbers:
     return largest(1.0 / 300.0, friction=0.3)

@@ -58,6 +58,8 @@ module mdrcontact_inside_half_space
     type, abstract :: half_space_t
         !> the least real part of lambda, and the largest imaginary one
         real(wp) :: decay = 1.0_wp, turn = 0.0_wp
+        !> how many functions have an integral, and how many of them a normal load takes
+        integer :: functions = 0, normal_functions = 0
         !> -s_rr/p, -s_tt/p and, on the axis, either of them on the surface where p is infinite
         real(wp) :: singular(3) = 1.0_wp
     contains
@@ -69,13 +71,11 @@ module mdrcontact_inside_half_space
     end type half_space_t
 
     abstract interface
-        pure subroutine add_sums(self, rule, load, r, z, sums)
-            import :: half_space_rule_t, half_space_t, load_t, wp
+        pure subroutine add_sums(self, z, i, sums)
+            import :: half_space_t, wp
             class(half_space_t), intent(in) :: self
-            type(half_space_rule_t), intent(in) :: rule
-            class(load_t), intent(in) :: load
-            !> distance from the axis [length] and depth [a] of the point
-            real(wp), intent(in) :: r, z
+            !> depth of a point [a], and I[f] there
+            real(wp), intent(in) :: z, i(:)
             real(wp), intent(inout) :: sums(:)
         end subroutine add_sums
 
@@ -112,7 +112,7 @@ contains
         self%first(size(load%kinks) + 1) = size(panels) + 1
     end subroutine new_half_space_rule
 
-    !> I[f] for all functions of a half-space; at z = 0 those that only occur with a factor z are left 0.
+    !> I[f] for the first functions of a half-space, or for all; at z = 0 those that only occur with a factor z are left 0.
     pure subroutine integrate(half_space, rule, load, r, z, integrals)
         class(half_space_t), intent(in) :: half_space
         type(half_space_rule_t), intent(in) :: rule

@@ -8,7 +8,7 @@ module mdrcontact_inside_interior
     use mdrcontact_nonfinite, only: infinity
     use mdrcontact_batch, only: batch_t, run_batch
     use mdrcontact_error, only: check_memory, check_not_negative, error_domain, error_t, raise, to_text
-    use mdrcontact_inside_half_space, only: half_space_rule_t, new_half_space_rule, normal_sums, shear_sums
+    use mdrcontact_inside_half_space, only: half_space_rule_t, integrate, new_half_space_rule, normal_sums, shear_sums
     use mdrcontact_inside_hankel, only: add_grid, add_point, hankel_t, new_hankel
     use mdrcontact_inside_layer_states, only: layer_states_t, new_layer_states
     use mdrcontact_inside_lattice, only: distinct_among, lattice_t, new_lattice
@@ -16,7 +16,7 @@ module mdrcontact_inside_interior
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_inside_states, only: depth_t, states_t
     use mdrcontact_inside_waves, only: faded
-    use mdrcontact_kinds, only: wp
+    use mdrcontact_kinds, only: pi, wp
     implicit none (type, external)
     private
     public :: interior_field, state_field, check_distances, depth_of, infinite_pressure, components, kept_waves_t
@@ -67,6 +67,9 @@ module mdrcontact_inside_interior
         !> distances from the axis [length] and [a]
         real(wp), pointer :: position(:) => null(), r(:) => null()
         real(wp), pointer :: sums(:, :) => null()
+        !> of the half-space, (function, point), where the second load has those of the first one
+        real(wp), pointer :: integrals(:, :) => null()
+        logical, pointer :: is_known(:) => null()
         !> allocated for all points
         integer, allocatable :: order(:)
         logical :: is_closed = .false.
@@ -81,7 +84,7 @@ contains
     !> Stresses are infinite where the load is singular on the surface: edge of a flat punch or of an adhesive contact, apex of
     !> a cone, edge of a flat end. With friction so are the shear tractions. Signs are those inside the contact. What jumps there
     !> has the value just below the surface, halfway: s_rt at the edge of a flat end.
-    subroutine interior_field(load, layers, r, z, below, field, error, friction, angle, threads, kept)
+    subroutine interior_field(load, layers, r, z, below, field, error, friction, angle, threads, kept, opposite)
         class(load_t), intent(in), target :: load
         type(layers_t), intent(in) :: layers
         !> distance from the axis r >= 0 and depth z >= 0 [length]
@@ -98,7 +101,9 @@ contains
         integer, intent(in) :: threads
         !> of earlier fields of this load and these layers
         type(kept_waves_t), intent(inout), target, optional :: kept
-        type(depth_t), allocatable :: depths(:)
+        !> like field, at angle + pi
+        real(wp), intent(out), optional :: opposite(:, :)
+        type(depth_t), allocatable, target :: depths(:)
         type(layer_states_t), target :: states
         type(lattice_t) :: lattice
         integer :: stat
@@ -113,11 +118,11 @@ contains
         if (allocated(error)) return
         call set_depths(load, layers, r, z, below, lattice%is_grid, depths, error)
         if (allocated(error)) return
-        call state_field(load, states, lattice, r, z, depths, field, error, friction, angle, threads, kept)
+        call state_field(load, states, lattice, r, z, depths, field, error, friction, angle, threads, kept, opposite)
     end subroutine interior_field
 
     !> The field of a body whose states are known, at points with what is known of their depths; see interior_field.
-    subroutine state_field(load, states, lattice, r, z, depths, field, error, friction, angle, threads, kept)
+    subroutine state_field(load, states, lattice, r, z, depths, field, error, friction, angle, threads, kept, opposite)
         class(load_t), intent(in), target :: load
         class(states_t), intent(inout), target :: states
         type(lattice_t), intent(in) :: lattice
@@ -129,28 +134,46 @@ contains
         real(wp), intent(in) :: friction, angle(:)
         integer, intent(in) :: threads
         type(kept_waves_t), intent(inout), target, optional :: kept
-        real(wp), allocatable :: radii(:), sums(:, :)
+        real(wp), intent(out), optional :: opposite(:, :)
+        type(points_t) :: points
+        real(wp), allocatable, target :: radii(:), sums(:, :), integrals(:, :)
+        logical, allocatable, target :: is_known(:)
         integer :: stat
 
         allocate (radii(size(r)), sums(normal_sums, size(r)), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         radii(:) = r/load%radius
-        call states%turn(.false., depths, error)
-        if (.not. allocated(error)) call find_sums(load, states, lattice, r, radii, depths, sums, threads, error, kept)
+        points%load => load
+        points%states => states
+        points%depths => depths
+        points%position => r
+        points%r => radii
+        if (friction /= 0.0_wp) then
+            allocate (integrals(states%half_space%functions, size(r)), is_known(size(r)), stat=stat)
+            call check_memory(error, stat)
+            if (stat /= 0) return
+            is_known(:) = .false.
+            points%integrals => integrals
+            points%is_known => is_known
+        end if
+        call new_half_space_rule(points%rule, load, error)
+        call find_sums(points, .false., lattice, sums, threads, error, kept)
         if (allocated(error)) return
         call normal_components(depths, radii, load%radius, sums, field)
+        if (present(opposite)) opposite = field
         if (friction /= 0.0_wp) then
             deallocate (sums)
             allocate (sums(shear_sums, size(r)), stat=stat)
             call check_memory(error, stat)
             if (stat /= 0) return
-            call states%turn(.true., depths, error)
-            if (.not. allocated(error)) call find_sums(load, states, lattice, r, radii, depths, sums, threads, error, kept)
+            call find_sums(points, .true., lattice, sums, threads, error, kept)
             if (allocated(error)) return
             call add_shear_components(depths, radii, load%radius, sums, friction, angle, field)
+            if (present(opposite)) call add_shear_components(depths, radii, load%radius, sums, friction, angle + pi, opposite)
         end if
         call mark_singular(load, states%half_space%singular, r, z, friction, angle, field)
+        if (present(opposite)) call mark_singular(load, states%half_space%singular, r, z, friction, angle + pi, opposite)
     end subroutine state_field
 
     !> Refuses points outside the body or too far away.
@@ -231,18 +254,14 @@ contains
     end function depth_of
 
     !> The sums of all points, for a load across or along the surface.
-    subroutine find_sums(load, states, lattice, position, r, depths, sums, threads, error, kept)
-        class(load_t), intent(in), target :: load
-        class(states_t), intent(inout), target :: states
+    subroutine find_sums(points, along_surface, lattice, sums, threads, error, kept)
+        type(points_t), intent(inout) :: points
+        logical, intent(in) :: along_surface
         type(lattice_t), intent(in) :: lattice
-        !> distances from the axis [length] and [a]
-        real(wp), intent(in), target :: position(:), r(:)
-        type(depth_t), intent(in), target :: depths(:)
         real(wp), intent(out), target :: sums(:, :)
         integer, intent(in) :: threads
-        type(error_t), allocatable, intent(out) :: error
+        type(error_t), allocatable, intent(inout) :: error
         type(kept_waves_t), intent(inout), target, optional :: kept
-        type(points_t) :: points
         type(kept_waves_t), target :: own
         type(hankel_t), pointer :: hankel
         logical, allocatable :: waiting(:), chosen(:)
@@ -250,39 +269,36 @@ contains
         real(wp) :: reach, farthest, last
         integer :: n, stat
 
-        allocate (waiting(size(r)), chosen(size(r)), points%order(size(r)), stat=stat)
+        if (.not. allocated(error)) call points%states%turn(along_surface, points%depths, error)
+        if (allocated(error)) return
+        n = size(points%r)
+        allocate (waiting(n), chosen(n), stat=stat)
+        if (stat == 0 .and. .not. allocated(points%order)) allocate (points%order(n), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         sums = 0.0_wp
-        points%load => load
-        points%depths => depths
-        points%position => position
-        points%r => r
         points%sums => sums
-        points%states => states
-        call new_half_space_rule(points%rule, load, error)
-        if (allocated(error)) return
         points%is_closed = .true.
-        chosen(:) = depths%less
+        chosen(:) = points%depths%less
         call list_chosen(chosen, points%order, n)
         call run_batch(points, n, 32, 64, threads, error)
         if (allocated(error)) return
-        if (.not. states%structure > 0.0_wp) return
+        if (.not. points%states%structure > 0.0_wp) return
         points%is_closed = .false.
         waiting(:) = .true.
         ! far points need more waves than near ones: each doubling of a + r has its own rule
         do while (any(waiting))
-            reach = max(3.0_wp, 2.0_wp*(1.0_wp + minval(r, mask=waiting)))
-            chosen(:) = waiting .and. 1.0_wp + r <= reach
+            reach = max(3.0_wp, 2.0_wp*(1.0_wp + minval(points%r, mask=waiting)))
+            chosen(:) = waiting .and. 1.0_wp + points%r <= reach
             waiting(:) = waiting .and. .not. chosen
-            farthest = 1.0_wp + maxval(r, mask=chosen)
-            last = maxval(depths%last, mask=chosen)
+            farthest = 1.0_wp + maxval(points%r, mask=chosen)
+            last = maxval(points%depths%last, mask=chosen)
             call list_chosen(chosen, points%order, n)
             is_ready = present(kept)
             if (present(kept)) then
-                call find_waves(kept, load, states, farthest, last, hankel, is_ready, error)
+                call find_waves(kept, points%load, points%states, farthest, last, hankel, is_ready, error)
             else
-                call find_waves(own, load, states, farthest, last, hankel, is_ready, error)
+                call find_waves(own, points%load, points%states, farthest, last, hankel, is_ready, error)
             end if
             if (allocated(error)) return
             if (is_ready) call add_part(points, hankel, lattice, n, threads, error)
@@ -426,12 +442,26 @@ contains
     pure subroutine add_closed(self, i)
         class(points_t), intent(inout) :: self
         integer, intent(in) :: i
+        real(wp), allocatable :: integrals(:)
+        logical :: is_known
 
-        associate (states => self%states, depth => self%depths(i), r => self%position(i))
-            if (states%along_surface) then
-                call states%half_space%add_shear(self%rule, self%load, r, depth%z, self%sums(:, i))
+        associate (states => self%states, half_space => self%states%half_space, depth => self%depths(i), r => self%position(i))
+            is_known = associated(self%is_known)
+            allocate (integrals(merge(half_space%functions, half_space%normal_functions, is_known)))
+            if (is_known) is_known = self%is_known(i)
+            if (is_known) then
+                integrals(:) = self%integrals(:, i)
             else
-                call states%half_space%add_normal(self%rule, self%load, r, depth%z, self%sums(:, i))
+                call integrate(half_space, self%rule, self%load, r, depth%z, integrals)
+            end if
+            if (associated(self%is_known)) then
+                self%integrals(:, i) = integrals
+                self%is_known(i) = .true.
+            end if
+            if (states%along_surface) then
+                call half_space%add_shear(depth%z, integrals, self%sums(:, i))
+            else
+                call half_space%add_normal(depth%z, integrals, self%sums(:, i))
             end if
             call states%add_images(self%rule, self%load, depth, r, self%sums(:, i))
         end associate

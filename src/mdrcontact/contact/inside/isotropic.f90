@@ -35,20 +35,18 @@ contains
         real(wp), intent(in) :: poisson
 
         self%poisson = poisson
+        self%functions = kernels
+        self%normal_functions = kernels
         self%singular = [1.0_wp, 2.0_wp*poisson, poisson + 0.5_wp]
     end subroutine new_isotropic_half_space
 
     !> Adds the homogeneous body's part to the five sums of a normal load at one point:
     !>     2 G u_z, sigma_zz, int p_hat y1 k J0 dk, 2 G u_r/r, sigma_rz/r                                 (lengths in units of a)
-    pure subroutine add_normal(self, rule, load, r, z, sums)
+    pure subroutine add_normal(self, z, i, sums)
         class(isotropic_half_space_t), intent(in) :: self
-        type(half_space_rule_t), intent(in) :: rule
-        class(load_t), intent(in) :: load
-        real(wp), intent(in) :: r, z
+        real(wp), intent(in) :: z, i(:)
         real(wp), intent(inout) :: sums(:)
-        real(wp) :: i(kernels)
 
-        call integrate(self, rule, load, r, z, i)
         associate (nu => self%poisson)
             sums = sums + [2.0_wp*(1.0_wp - nu)*i(a0) + z*i(a1), -i(a1) - z*i(a2), -(1.0_wp - 2.0_wp*nu)*i(a1) + z*i(a2), &
                            -(1.0_wp - 2.0_wp*nu)*i(b0) + z*i(b1), -z*i(b2)]
@@ -57,15 +55,11 @@ contains
 
     !> Adds the homogeneous body's part to the eight sums of a load that shears, p(r) in +x: the Hankel integrals of
     !>     (y5 - y1) J0, (N - T) k J0, y2 J1/r, S k J1/r, y1 k J1/r, y5 k J1/r, (y5 + y1) J2/r^2, (N + T) k J2
-    pure subroutine add_shear(self, rule, load, r, z, sums)
+    pure subroutine add_shear(self, z, i, sums)
         class(isotropic_half_space_t), intent(in) :: self
-        type(half_space_rule_t), intent(in) :: rule
-        class(load_t), intent(in) :: load
-        real(wp), intent(in) :: r, z
+        real(wp), intent(in) :: z, i(:)
         real(wp), intent(inout) :: sums(:)
-        real(wp) :: i(kernels)
 
-        call integrate(self, rule, load, r, z, i)
         associate (nu => self%poisson)
             sums = sums + [(4.0_wp - 2.0_wp*nu)*i(a0) - z*i(a1), -2.0_wp*i(a1) + z*i(a2), &
                            (1.0_wp - 2.0_wp*nu)*i(b0) + z*i(b1), -z*i(b2), -2.0_wp*(1.0_wp - nu)*i(b1) + z*i(b2), &

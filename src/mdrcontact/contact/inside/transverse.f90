@@ -8,10 +8,9 @@
 !>     J0: ln alpha   k J0: -1/rho   J1/r: -1/alpha   k J1/r: -1/(rho alpha)   J2/r^2: -1/(2 alpha^2)   k J2 = 2 J1/r - k J0
 module mdrcontact_inside_transverse
     use mdrcontact_body_elements_transverse, only: modes_t, new_modes
-    use mdrcontact_inside_half_space, only: half_space_rule_t, half_space_t, integrate, on_surface
+    use mdrcontact_inside_half_space, only: half_space_t, on_surface
     use mdrcontact_kinds, only: wp
     use mdrcontact_material_transverse, only: transverse_t
-    use mdrcontact_medium_load, only: load_t
     implicit none (type, external)
     private
     public :: transverse_half_space_t, new_transverse_half_space
@@ -43,6 +42,8 @@ contains
         real(wp) :: sinks
 
         call new_modes(self%modes, constants)
+        self%functions = 3*kinds
+        self%normal_functions = 2*kinds
         self%roots = self%modes%roots()
         self%decay = constants%decay()
         self%turn = maxval(abs(aimag(self%roots)))
@@ -71,32 +72,28 @@ contains
     end function amplitudes
 
     !> 2 G u_z, sigma_zz, int p_hat y1 k J0 dk, 2 G u_r/r, sigma_rz/r.
-    pure subroutine add_normal(self, rule, load, r, z, sums)
+    pure subroutine add_normal(self, z, i, sums)
         class(transverse_half_space_t), intent(in) :: self
-        type(half_space_rule_t), intent(in) :: rule
-        class(load_t), intent(in) :: load
-        real(wp), intent(in) :: r, z
+        real(wp), intent(in) :: z, i(:)
         real(wp), intent(inout) :: sums(:)
-        real(wp) :: i(2*kinds)
 
-        call integrate(self, rule, load, r, z, i)
+        associate (unused => z)
+        end associate
         associate (y => self%pressed)
             sums = sums + [of_row(y(2, :), i, j0), of_row(y(4, :), i, k_j0), of_row(y(1, :), i, k_j0), of_row(y(1, :), i, j1), &
                            of_row(y(3, :), i, k_j1)]
         end associate
-
     end subroutine add_normal
 
     !> (y5 - y1) J0, (N - T) k J0, y2 J1/r, S k J1/r, y1 k J1/r, y5 k J1/r, (y5 + y1) J2/r^2, (N + T) k J2.
-    pure subroutine add_shear(self, rule, load, r, z, sums)
+    pure subroutine add_shear(self, z, i, sums)
         class(transverse_half_space_t), intent(in) :: self
-        type(half_space_rule_t), intent(in) :: rule
-        class(load_t), intent(in) :: load
-        real(wp), intent(in) :: r, z
+        real(wp), intent(in) :: z, i(:)
         real(wp), intent(inout) :: sums(:)
-        real(wp) :: i(3*kinds), y5
+        real(wp) :: y5
 
-        call integrate(self, rule, load, r, z, i)
+        associate (unused => z)
+        end associate
         y5 = 1.0_wp/self%modes%shear
         ! N = -exp(-lambda_3 k z)
         associate (y => self%sheared)
