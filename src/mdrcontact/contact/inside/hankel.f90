@@ -56,17 +56,25 @@ module mdrcontact_inside_hankel
 contains
 
     !> Nodes and weights of the integrals over wavenumber, for one load on one body.
-    subroutine new_hankel(self, load, states, farthest, last, error)
+    subroutine new_hankel(self, load, states, farthest, last, error, twin)
         type(hankel_t), intent(out) :: self
         class(load_t), intent(in) :: load
         class(states_t), intent(inout), target :: states
         !> largest a + r [a] and largest wavenumber [1/a]
         real(wp), intent(in) :: farthest, last
         type(error_t), allocatable, intent(inout) :: error
+        !> the same for the load in the other direction
+        type(hankel_t), pointer, intent(in) :: twin
         real(wp), allocatable :: weight(:)
 
         self%states => states
         allocate (self%bessel)
+        if (associated(twin)) then
+            self%bessel = twin%bessel
+            self%all_k = twin%all_k
+            self%all_load = twin%all_load
+            return
+        end if
         call new_bessel(self%bessel)
         call wave_rule(first_panel/max(farthest, states%structure), last, farthest, self%all_k, weight, error)
         if (allocated(error)) return

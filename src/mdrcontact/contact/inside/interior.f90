@@ -321,15 +321,20 @@ contains
         !> whether it may be kept; then whether it is, with all its nodes as one part
         logical, intent(inout) :: is_ready
         type(error_t), allocatable, intent(inout) :: error
+        type(hankel_t), pointer :: twin
         real(wp) :: least, amplitudes
         integer :: i
 
         hankel => null()
+        twin => null()
         least = farthest/nearest_kept
         do i = 1, kept%count
             associate (waves => kept%waves(i))
-                if (waves%states%along_surface .neqv. states%along_surface) cycle
                 if (waves%farthest < farthest .or. waves%last < last .or. waves%farthest > least) cycle
+                if (waves%states%along_surface .neqv. states%along_surface) then
+                    if (waves%farthest <= farthest .and. waves%last <= last) twin => kept%waves(i)%hankel
+                    cycle
+                end if
                 least = waves%farthest
                 hankel => kept%waves(i)%hankel
                 hankel%states => kept%waves(i)%states
@@ -338,7 +343,7 @@ contains
         if (associated(hankel)) return
         associate (waves => kept%waves(kept%count + 1))
             hankel => kept%waves(kept%count + 1)%hankel
-            call new_hankel(hankel, load, states, farthest, last, error)
+            call new_hankel(hankel, load, states, farthest, last, error, twin)
             if (allocated(error)) return
             amplitudes = kept%amplitudes + real(size(hankel%all_k), wp)*real(states%steps, wp)
             is_ready = is_ready .and. kept%count < most_kept .and. amplitudes <= most_kept_amplitudes .and. &

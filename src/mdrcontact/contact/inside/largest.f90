@@ -44,10 +44,16 @@ module mdrcontact_inside_largest
         real(wp), allocatable :: r(:), z(:)
         !> (radius, depth, part) [modulus]
         real(wp), allocatable :: values(:, :, :)
-        real(wp) :: angle = 0.0_wp
-        !> the place of the peak in the first grid: radius, depth, azimuth
-        integer :: peak(3) = 0
+        !> [length], and which azimuth
+        real(wp) :: ends_r(2) = 0.0_wp, ends_z(2) = 0.0_wp
+        integer :: side = 0
     end type grid_t
+
+    !> Grids that were filled before: quantities share them.
+    type :: grids_t
+        type(grid_t), allocatable :: list(:)
+        integer :: count = 0
+    end type grids_t
 
     !> A body of layers under a load and its friction.
     type :: stressed_t
@@ -67,6 +73,8 @@ module mdrcontact_inside_largest
         procedure :: is_off_singular
     end type stressed_t
 
+    !> Azimuths.
+    real(wp), parameter :: azimuth(2) = [0.0_wp, pi]
     !> Components of the quantities: functions without the kinks of their maximum.
     integer, parameter :: by_mises = 1, in_plane = 2, down_from_hoop = 3, up_from_hoop = 4, along_plane = 5, hoop = 6, &
                           shear_outward = 7, shear_inward = 8, across = 9, size_of_parts = 9
@@ -138,35 +146,44 @@ contains
         type(maximum_t), intent(out) :: found(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: r(:), z(:), values(:, :, :, :)
-        integer, allocatable :: peaks(:, :), parts(:)
-        type(grid_t) :: grids(most_peaks*size(quantities))
-        integer :: azimuths, i, k
-        integer, parameter :: all_parts(*) = [(i, i=1, size_of_parts)]
-        real(wp), parameter :: angle(2) = [0.0_wp, pi]
+        type(grids_t) :: grids
+        integer :: i
 
         if (allocated(error)) return
         r = radii_in(box%r, self%load%radius, self%singular)
         z = depths_in(box%z, self%load%radius, self%singular)
-        azimuths = merge(2, 1, self%friction /= 0.0_wp)
-        allocate (values(size(r), size(z), azimuths, size(all_parts)))
-        do k = 1, azimuths
-            call find_values(self, r, z, angle(k), all_parts, values(:, :, k, :), error)
-        end do
+        call find_values(self, r, z, values, error)
         if (allocated(error)) return
+        allocate (grids%list(size(quantities)*most_peaks*(most_grids + 1)))
         do i = 1, size(quantities)
-            parts = parts_of(quantities(i))
-            peaks = peaks_of(values(:, :, :, parts), merge(1, most_peaks, is_coarse))
-            do k = 1, size(peaks, 2)
-                associate (at => peaks(:, k))
-                    at(4) = parts(at(4))
-                    if (k > 1) cycle
-                    found(i) = maximum_t(quantities(i), 0, values(at(1), at(2), at(3), at(4)), r(at(1)), z(at(2)), angle(at(3)))
-                end associate
-            end do
-            if (.not. is_coarse) call follow_peaks(self, box, r, z, values, peaks, grids, found(i), error)
+            call search(self, box, r, z, values, quantities(i), is_coarse, grids, found(i), error)
             if (allocated(error)) return
         end do
     end subroutine largest
+
+    !> The largest value of one quantity.
+    subroutine search(self, box, r, z, values, quantity, is_coarse, grids, found, error)
+        class(stressed_t), intent(inout) :: self
+        type(box_t), intent(in) :: box
+        !> the first grid [length], and what it has: (radius, depth, azimuth, part)
+        real(wp), intent(in) :: r(:), z(:), values(:, :, :, :)
+        integer, intent(in) :: quantity
+        logical, intent(in) :: is_coarse
+        type(grids_t), intent(inout) :: grids
+        type(maximum_t), intent(out) :: found
+        type(error_t), allocatable, intent(inout) :: error
+        integer, allocatable :: peaks(:, :), parts(:)
+
+        allocate (parts, source=parts_of(quantity))
+        allocate (peaks, source=peaks_of(values(:, :, :, parts), merge(1, most_peaks, is_coarse)))
+        peaks(4, :) = parts(peaks(4, :))
+        found%quantity = quantity
+        if (size(peaks, 2) == 0) return
+        associate (at => peaks(:, 1))
+            found = maximum_t(quantity, 0, values(at(1), at(2), at(3), at(4)), r(at(1)), z(at(2)), azimuth(at(3)))
+        end associate
+        if (.not. is_coarse) call follow_peaks(self, box, r, z, values, peaks, grids, found, error)
+    end subroutine search
 
     !> Follows the peaks of a quantity from what the first smaller grid of each promises, the highest one first. Lower ones are left
     !> out, unless they may still rise above it as much as they rose from the first grid to this one.
@@ -177,8 +194,7 @@ contains
         real(wp), intent(in) :: r(:), z(:), values(:, :, :, :)
         !> (radius, depth, azimuth, part; peak)
         integer, intent(in) :: peaks(:, :)
-        !> the first smaller grids, also those of other quantities
-        type(grid_t), intent(inout) :: grids(:)
+        type(grids_t), intent(inout) :: grids
         type(maximum_t), intent(inout) :: found
         type(error_t), allocatable, intent(inout) :: error
         type(maximum_t) :: peak
@@ -186,19 +202,19 @@ contains
         integer :: which(size(peaks, 2)), k, i
 
         do k = 1, size(peaks, 2)
-            call find_grid(self, r, z, peaks(:, k), grids, which(k), error)
+            call find_grid(self, around(r, peaks(1, k)), around(z, peaks(2, k)), peaks(3, k), grids, which(k), error)
             if (allocated(error)) return
-            call find_top(grids(which(k)), peaks(4, k), top)
-            promised(k) = max(top(1), maxval(grids(which(k))%values(:, :, peaks(4, k))))
+            call find_top(grids%list(which(k)), peaks(4, k), top)
+            promised(k) = max(top(1), maxval(grids%list(which(k))%values(:, :, peaks(4, k))))
         end do
         do i = 1, size(peaks, 2)
             k = maxloc(promised, 1)
-            associate (at => peaks(:, k), grid => grids(which(k)))
+            associate (at => peaks(:, k))
                 first = values(at(1), at(2), at(3), at(4))
                 reachable = promised(k) + max(promised(k) - first, 0.0_wp)
                 if (i == 1 .or. reachable > found%value) then
-                    peak = maximum_t(found%quantity, 0, first, r(at(1)), z(at(2)), grid%angle)
-                    call find_peak(self, box, grid, at(4), peak, error)
+                    peak = maximum_t(found%quantity, 0, first, r(at(1)), z(at(2)), azimuth(at(3)))
+                    call find_peak(self, box, grids, which(k), at(4), peak, error)
                     if (allocated(error)) return
                     if (peak%value > found%value .or. i == 1) found = peak
                 end if
@@ -207,84 +223,99 @@ contains
         end do
     end subroutine follow_peaks
 
-    !> The first smaller grid around a peak, unless it is known.
-    subroutine find_grid(self, r, z, peak, grids, which, error)
-        class(stressed_t), intent(inout) :: self
-        real(wp), intent(in) :: r(:), z(:)
-        integer, intent(in) :: peak(:)
-        type(grid_t), intent(inout) :: grids(:)
-        integer, intent(out) :: which
-        type(error_t), allocatable, intent(inout) :: error
-        integer, parameter :: all_parts(*) = [(which, which=1, size_of_parts)]
-
-        do which = 1, size(grids)
-            associate (grid => grids(which))
-                if (all(grid%peak == peak(:3))) return
-                if (any(grid%peak > 0)) cycle
-                grid%peak = peak(:3)
-                grid%angle = merge(0.0_wp, pi, peak(3) == 1)
-                call fill_grid(self, around(r, peak(1)), around(z, peak(2)), all_parts, grid, error)
-                return
-            end associate
-        end do
-    end subroutine find_grid
-
-    !> Values on a smaller grid from end to end.
-    subroutine fill_grid(self, ends_r, ends_z, parts, grid, error)
+    !> A smaller grid from end to end, unless it is known.
+    subroutine find_grid(self, ends_r, ends_z, side, grids, which, error)
         class(stressed_t), intent(inout) :: self
         !> [length]
         real(wp), intent(in) :: ends_r(2), ends_z(2)
-        !> all of them, or the one that is needed
-        integer, intent(in) :: parts(:)
-        type(grid_t), intent(inout) :: grid
+        !> which azimuth
+        integer, intent(in) :: side
+        type(grids_t), intent(inout) :: grids
+        !> its place in the list
+        integer, intent(out) :: which
         type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: values(:, :, :, :)
 
-        grid%r = evenly(ends_r)
-        grid%z = evenly(ends_z)
-        if (allocated(grid%values)) deallocate (grid%values)
-        allocate (grid%values(size(grid%r), size(grid%z), size(parts)))
-        call find_values(self, grid%r, grid%z, grid%angle, parts, grid%values, error)
-    end subroutine fill_grid
+        do which = 1, grids%count
+            associate (grid => grids%list(which))
+                if (grid%side == side .and. all(grid%ends_r == ends_r) .and. all(grid%ends_z == ends_z)) return
+            end associate
+        end do
+        grids%count = which
+        associate (grid => grids%list(which))
+            grid%side = side
+            grid%ends_r = ends_r
+            grid%ends_z = ends_z
+            grid%r = evenly(ends_r)
+            grid%z = evenly(ends_z)
+            call find_values(self, grid%r, grid%z, values, error)
+            if (allocated(error)) return
+            grid%values = values(:, :, side, :)
+        end associate
+    end subroutine find_grid
 
     !> Follows a peak on ever smaller grids around the largest value, until the polynomial through a grid meets the stress where it
     !> is largest.
-    subroutine find_peak(self, box, first, part, peak, error)
+    subroutine find_peak(self, box, grids, first, part, peak, error)
         class(stressed_t), intent(inout) :: self
         type(box_t), intent(in) :: box
-        !> around the peak, with all parts
-        type(grid_t), intent(in) :: first
-        !> what has the peak
-        integer, intent(in) :: part
+        type(grids_t), intent(inout) :: grids
+        !> the one around the peak, and what has the peak
+        integer, intent(in) :: first, part
         type(maximum_t), intent(inout) :: peak
         type(error_t), allocatable, intent(inout) :: error
-        type(grid_t) :: grid
-        real(wp) :: ends_r(2), ends_z(2), top(3), there(1, 1, 1)
-        integer :: i, at(2)
+        real(wp) :: ends_r(2), ends_z(2)
+        integer :: i, at(2), which, side
+        logical :: is_met
 
-        grid = first
-        grid%values = first%values(:, :, part:part)
+        which = first
+        side = grids%list(first)%side
         do i = 1, most_grids
-            associate (r => grid%r, z => grid%z, values => grid%values(:, :, 1))
-                at = maxloc(values)
-                call raise_peak(peak, values(at(1), at(2)), r(at(1)), z(at(2)))
-                ends_r = closer(r, at(1), box%r)
-                ends_z = closer(z, at(2), box%z)
-                if (ends_r(1) >= r(1) .and. ends_r(2) <= r(size(r)) .and. ends_z(1) >= z(1) .and. ends_z(2) <= z(size(z))) then
-                    call find_top(grid, 1, top)
-                    top(2:) = [at_end(top(2), r), at_end(top(3), z)]
-                    if (top(1) > -infinity) then
-                        call find_values(self, top(2:2), top(3:3), grid%angle, [part], there, error)
-                        if (allocated(error)) return
-                        call raise_peak(peak, there(1, 1, 1), top(2), top(3))
-                        if (abs(there(1, 1, 1) - top(1)) <= agreement*maxval(abs(values))) return
-                    end if
+            associate (grid => grids%list(which), all_r => grids%list(first)%ends_r, all_z => grids%list(first)%ends_z)
+                at = maxloc(grid%values(:, :, part))
+                call raise_peak(peak, grid%values(at(1), at(2), part), grid%r(at(1)), grid%z(at(2)))
+                ends_r = closer(grid%r, at(1), box%r)
+                ends_z = closer(grid%z, at(2), box%z)
+                if (is_within(ends_r, grid%ends_r) .and. is_within(ends_z, grid%ends_z)) then
+                    call meet_top(self, grid, part, peak, is_met, error)
+                    if (is_met .or. allocated(error)) return
                 end if
+                if (length(ends_r) <= smallest*length(all_r) .and. length(ends_z) <= smallest*length(all_z)) return
             end associate
-            if (length(ends_r) <= smallest*length(first%r) .and. length(ends_z) <= smallest*length(first%z)) return
-            call fill_grid(self, ends_r, ends_z, [part], grid, error)
+            call find_grid(self, ends_r, ends_z, side, grids, which, error)
             if (allocated(error)) return
         end do
     end subroutine find_peak
+
+    !> Compares the polynomial through a grid with the stress where it is largest.
+    subroutine meet_top(self, grid, part, peak, is_met, error)
+        class(stressed_t), intent(inout) :: self
+        type(grid_t), intent(in) :: grid
+        integer, intent(in) :: part
+        type(maximum_t), intent(inout) :: peak
+        logical, intent(out) :: is_met
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: values(:, :, :, :)
+        real(wp) :: top(3)
+
+        is_met = .false.
+        call find_top(grid, part, top)
+        if (.not. top(1) > -infinity) return
+        top(2:) = [at_end(top(2), grid%r), at_end(top(3), grid%z)]
+        call find_values(self, top(2:2), top(3:3), values, error)
+        if (allocated(error)) return
+        associate (there => values(1, 1, grid%side, part))
+            call raise_peak(peak, there, top(2), top(3))
+            is_met = abs(there - top(1)) <= agreement*maxval(abs(grid%values(:, :, part)))
+        end associate
+    end subroutine meet_top
+
+    pure function is_within(ends, others) result(answer)
+        real(wp), intent(in) :: ends(2), others(2)
+        logical :: answer
+
+        answer = ends(1) >= others(1) .and. ends(2) <= others(2)
+    end function is_within
 
     pure subroutine raise_peak(peak, value, r, z)
         type(maximum_t), intent(inout) :: peak
@@ -359,43 +390,56 @@ contains
         length = x(size(x)) - x(1)
     end function length
 
-    !> The values of some parts on a grid; -infinity next to what is singular.
-    subroutine find_values(self, r, z, angle, parts, values, error)
+    !> The values of all parts on a grid; -infinity next to what is singular.
+    subroutine find_values(self, r, z, values, error)
         class(stressed_t), intent(inout), target :: self
         !> [length]
         real(wp), intent(in) :: r(:), z(:)
-        real(wp), intent(in) :: angle
-        integer, intent(in) :: parts(:)
-        !> (size(r), size(z), size(parts)) [modulus]
-        real(wp), intent(out) :: values(:, :, :)
+        !> (radius, depth, azimuth, part) [modulus]
+        real(wp), allocatable, intent(out) :: values(:, :, :, :)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: all_r(:), all_z(:), all_angles(:), field(:, :)
-        real(wp) :: components_at(components)
-        integer :: i, j, k, n
+        real(wp), allocatable :: all_r(:), all_z(:), zero(:), field(:, :), opposite(:, :)
+        integer :: i, n
 
         call check_cancelled(error)
         if (allocated(error)) return
         n = size(r)*size(z)
-        allocate (all_r(n), all_z(n), all_angles(n), field(n, components))
+        allocate (all_r(n), all_z(n), field(n, components), zero(n), source=0.0_wp)
         do i = 1, size(r)
             all_r((i - 1)*size(z) + 1:i*size(z)) = r(i)
             all_z((i - 1)*size(z) + 1:i*size(z)) = z
         end do
-        all_angles = angle
-        call interior_field(self%load, self%layers, all_r, all_z, .false., field, error, self%friction, all_angles, self%threads, &
-                            self%kept)
+        if (self%friction /= 0.0_wp) allocate (opposite, mold=field)
+        call interior_field(self%load, self%layers, all_r, all_z, .false., field, error, self%friction, zero, self%threads, &
+                            self%kept, opposite)
         if (allocated(error)) return
-        do k = 1, size(parts)
-            do j = 1, size(z)
-                do i = 1, size(r)
-                    components_at = field((i - 1)*size(z) + j, :)
-                    values(i, j, k) = part_at(parts(k), components_at)
+        allocate (values(size(r), size(z), merge(2, 1, self%friction /= 0.0_wp), size_of_parts))
+        call fill_parts(self, r, z, field, values(:, :, 1, :))
+        if (allocated(opposite)) call fill_parts(self, r, z, opposite, values(:, :, 2, :))
+    end subroutine find_values
+
+    !> The parts at one azimuth.
+    pure subroutine fill_parts(self, r, z, field, values)
+        class(stressed_t), intent(in) :: self
+        real(wp), intent(in) :: r(:), z(:)
+        !> (point, component), depths first
+        real(wp), intent(in) :: field(:, :)
+        !> (radius, depth, part)
+        real(wp), intent(out) :: values(:, :, :)
+        real(wp) :: components_at(components)
+        integer :: i, j, k
+
+        do j = 1, size(z)
+            do i = 1, size(r)
+                components_at = field((i - 1)*size(z) + j, :)
+                do k = 1, size_of_parts
+                    values(i, j, k) = part_at(k, components_at)
                     if (.not. is_finite(values(i, j, k))) values(i, j, k) = -infinity
-                    if (.not. self%is_off_singular(r(i), z(j))) values(i, j, k) = -infinity
                 end do
+                if (.not. self%is_off_singular(r(i), z(j))) values(i, j, :) = -infinity
             end do
         end do
-    end subroutine find_values
+    end subroutine fill_parts
 
     !> Parts whose maximum a quantity is.
     pure function parts_of(quantity) result(parts)
