@@ -27,8 +27,9 @@ module mdrcontact_inside_interior
 
     !> Points farther away than this raise an error [a].
     real(wp), parameter :: farthest_point = 1.0e12_wp
-    !> On a grid the whole state is integrated from this part of the surface layer on: the waves are shared there.
-    real(wp), parameter :: shared_from = 0.5_wp
+    !> On a grid the whole state is integrated from this part of the surface layer on, because the waves are shared there; not in
+    !> one thinner than the other number, where waves cost more than the closed field [a].
+    real(wp), parameter :: shared_from = 0.5_wp, thin = 0.05_wp
     !> Where the pressure is infinite, what is finite is taken this far below the surface: halfway if it jumps there [a].
     real(wp), parameter :: just_below = 1.0e-15_wp
 
@@ -237,7 +238,9 @@ contains
             depths(i)%z = depth_of(load, r(i), z(i))
             depths(i)%less = depths(i)%layer == 1
             if (size(layers%thickness) == 0) cycle
-            if (is_grid) depths(i)%less = depths(i)%less .and. depths(i)%z < shared_from*layers%thickness(1)/load%radius
+            if (is_grid .and. layers%thickness(1) > thin*load%radius) then
+                depths(i)%less = depths(i)%less .and. depths(i)%z < shared_from*layers%thickness(1)/load%radius
+            end if
             depths(i)%last = faded*load%radius/layers%decays_to(depths(i)%z*load%radius, depths(i)%less)
         end do
     end subroutine set_depths
