@@ -13,6 +13,8 @@ module mdrcontact_numerics_bessel
     real(wp), parameter :: begin = 1.0_wp, far = 25.0_wp
     !> Terms of the power series, and of each of the four asymptotic ones: the next one is 6e-17 at x = 25.
     integer, parameter :: terms = 9, far_terms = 8
+    !> Arguments that are worked on together.
+    integer, parameter :: block = 64
 
     !> The coefficients.
     type :: bessel_t
@@ -145,32 +147,44 @@ contains
         type(bessel_t), intent(in) :: self
         real(wp), intent(in) :: k(:), r
         real(wp), intent(out) :: j0(:), j1(:)
-        real(wp) :: x, over, square, plus, minus, amplitude, p0, q0, p1, q1
-        integer :: i, n
+        real(wp), dimension(block) :: over, square, plus, minus, amplitude, p0, q0, p1, q1
+        integer :: i, n, first, last
 
         ! cos and sin of x, several at a time
         j0 = cos(k*r)
         j1 = sin(k*r)
-        do n = 1, size(k)
-            x = k(n)*r
-            over = 1.0_wp/x
-            square = over**2
-            p0 = self%p0(far_terms)
-            q0 = self%q0(far_terms)
-            p1 = self%p1(far_terms)
-            q1 = self%q1(far_terms)
-            do i = far_terms - 1, 0, -1
-                p0 = self%p0(i) + square*p0
-                q0 = self%q0(i) + square*q0
-                p1 = self%p1(i) + square*p1
-                q1 = self%q1(i) + square*q1
+        do first = 1, size(k), block
+            last = min(first + block - 1, size(k))
+            n = last - first + 1
+            over(:n) = 1.0_wp/(k(first:last)*r)
+            square(:n) = over(:n)**2
+            i = most_terms(k(first)*r)
+            p0(:n) = self%p0(i)
+            q0(:n) = self%q0(i)
+            p1(:n) = self%p1(i)
+            q1(:n) = self%q1(i)
+            do i = i - 1, 0, -1
+                p0(:n) = self%p0(i) + square(:n)*p0(:n)
+                q0(:n) = self%q0(i) + square(:n)*q0(:n)
+                p1(:n) = self%p1(i) + square(:n)*p1(:n)
+                q1(:n) = self%q1(i) + square(:n)*q1(:n)
             end do
-            amplitude = sqrt(over/pi)
-            plus = j1(n) + j0(n)
-            minus = j1(n) - j0(n)
-            j0(n) = amplitude*(p0*plus - over*q0*minus)
-            j1(n) = amplitude*(p1*minus + over*q1*plus)
+            amplitude(:n) = sqrt(over(:n)/pi)
+            plus(:n) = j1(first:last) + j0(first:last)
+            minus(:n) = j1(first:last) - j0(first:last)
+            j0(first:last) = amplitude(:n)*(p0(:n)*plus(:n) - over(:n)*q0(:n)*minus(:n))
+            j1(first:last) = amplitude(:n)*(p1(:n)*minus(:n) + over(:n)*q1(:n)*plus(:n))
         end do
     end subroutine from_far
+
+    !> Powers of 1/x^2 that asymptotic series need beyond x: the next one is less than 2e-18.
+    pure function most_terms(x) result(number)
+        real(wp), intent(in) :: x
+        integer :: number
+
+        number = far_terms
+        if (x >= 100.0_wp) number = 4
+        if (x >= 1000.0_wp) number = 2
+    end function most_terms
 
 end module mdrcontact_numerics_bessel
