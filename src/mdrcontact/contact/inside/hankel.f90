@@ -20,7 +20,7 @@ module mdrcontact_inside_hankel
     use mdrcontact_numerics_waves, only: wave_rule
     implicit none (type, external)
     private
-    public :: hankel_t, new_hankel, add_point, add_grid
+    public :: hankel_t, new_hankel, twin_hankel, add_point, add_grid
 
     !> Wavenumbers, radii and depths that are worked on together. OpenBLAS starts threads from products of 2^18 on.
     integer, parameter :: slab = 256, radii = 25, together = 40
@@ -56,25 +56,17 @@ module mdrcontact_inside_hankel
 contains
 
     !> Nodes and weights of the integrals over wavenumber, for one load on one body.
-    subroutine new_hankel(self, load, states, farthest, last, error, twin)
+    subroutine new_hankel(self, load, states, farthest, last, error)
         type(hankel_t), intent(out) :: self
         class(load_t), intent(in) :: load
         class(states_t), intent(inout), target :: states
         !> largest a + r [a] and largest wavenumber [1/a]
         real(wp), intent(in) :: farthest, last
         type(error_t), allocatable, intent(inout) :: error
-        !> the same for the load in the other direction
-        type(hankel_t), pointer, intent(in) :: twin
         real(wp), allocatable :: weight(:)
 
         self%states => states
         allocate (self%bessel)
-        if (associated(twin)) then
-            self%bessel = twin%bessel
-            self%all_k = twin%all_k
-            self%all_load = twin%all_load
-            return
-        end if
         call new_bessel(self%bessel)
         call wave_rule(first_panel/max(farthest, states%structure), last, farthest, self%all_k, weight, error)
         if (allocated(error)) return
@@ -83,6 +75,18 @@ contains
         if (allocated(error)) return
         self%all_load(:) = self%all_load*weight/load%radius**2
     end subroutine new_hankel
+
+    !> The same for the load in another direction.
+    subroutine twin_hankel(self, states, other)
+        type(hankel_t), intent(out) :: self
+        class(states_t), intent(inout), target :: states
+        type(hankel_t), intent(in) :: other
+
+        self%states => states
+        self%bessel = other%bessel
+        self%all_k = other%all_k
+        self%all_load = other%all_load
+    end subroutine twin_hankel
 
     !> Goes to the next part of the wavenumbers; false if it does not exist, or an error.
     function next_part(self, error) result(found)

@@ -9,7 +9,7 @@ module mdrcontact_inside_interior
     use mdrcontact_batch, only: batch_t, run_batch
     use mdrcontact_error, only: check_memory, check_not_negative, error_domain, error_t, raise, to_text
     use mdrcontact_inside_half_space, only: half_space_rule_t, integrate, new_half_space_rule, normal_sums, shear_sums
-    use mdrcontact_inside_hankel, only: add_grid, add_point, hankel_t, new_hankel
+    use mdrcontact_inside_hankel, only: add_grid, add_point, hankel_t, new_hankel, twin_hankel
     use mdrcontact_inside_layer_states, only: layer_states_t, new_layer_states
     use mdrcontact_inside_lattice, only: distinct_among, lattice_t, new_lattice
     use mdrcontact_medium_load, only: load_t
@@ -33,8 +33,11 @@ module mdrcontact_inside_interior
     !> Where the pressure is infinite, what is finite is taken this far below the surface: halfway if it jumps there [a].
     real(wp), parameter :: just_below = 1.0e-15_wp
 
-    !> A rule that is kept covers points whose a + r is no less than this part of its own.
-    real(wp), parameter :: nearest_kept = 0.25_wp
+    !> Points up to this a + r share a rule [a].
+    real(wp), parameter :: near = 3.0_wp
+    !> Rules that are kept reach up to this a + r and its doubles [a], and to wavenumbers that an earlier rule has, if these are no
+    !> larger than so many times those at hand.
+    real(wp), parameter :: near_kept = 2.2_wp, most_waves = 4.0_wp
     !> Rules that are kept at most, and nodes times layers of all of them, of 50 bytes each.
     integer, parameter :: most_kept = 8
     !> Layers at most of a body whose states are copied for a rule that is kept: about 100 kB.
@@ -291,7 +294,8 @@ contains
         waiting(:) = .true.
         ! far points need more waves than near ones: each doubling of a + r has its own rule
         do while (any(waiting))
-            reach = max(3.0_wp, 2.0_wp*(1.0_wp + minval(points%r, mask=waiting)))
+            reach = max(near, 2.0_wp*(1.0_wp + minval(points%r, mask=waiting)))
+            if (present(kept)) reach = kept_reach(reach)
             chosen(:) = waiting .and. 1.0_wp + points%r <= reach
             waiting(:) = waiting .and. .not. chosen
             farthest = 1.0_wp + maxval(points%r, mask=chosen)
@@ -313,7 +317,7 @@ contains
         end do
     end subroutine find_sums
 
-    !> The kept rule of the least reach that covers some points, or a new one.
+    !> The kept rule that covers some points, or a new one.
     subroutine find_waves(kept, load, states, farthest, last, hankel, is_ready, error)
         type(kept_waves_t), intent(inout), target :: kept
         class(load_t), intent(in) :: load
@@ -324,44 +328,78 @@ contains
         !> whether it may be kept; then whether it is, with all its nodes as one part
         logical, intent(inout) :: is_ready
         type(error_t), allocatable, intent(inout) :: error
-        type(hankel_t), pointer :: twin
-        real(wp) :: least, amplitudes
-        integer :: i
+        integer :: own, twin, i
 
-        hankel => null()
-        twin => null()
-        least = farthest/nearest_kept
-        do i = 1, kept%count
-            associate (waves => kept%waves(i))
-                if (waves%farthest < farthest .or. waves%last < last .or. waves%farthest > least) cycle
-                if (waves%states%along_surface .neqv. states%along_surface) then
-                    if (waves%farthest <= farthest .and. waves%last <= last) twin => kept%waves(i)%hankel
-                    cycle
-                end if
-                least = waves%farthest
-                hankel => kept%waves(i)%hankel
-                hankel%states => kept%waves(i)%states
-            end associate
-        end do
-        if (associated(hankel)) return
+        call find_kept(kept, states%along_surface, farthest, last, own)
+        if (own > 0) then
+            hankel => kept%waves(own)%hankel
+            hankel%states => kept%waves(own)%states
+            is_ready = .true.
+            return
+        end if
+        is_ready = is_ready .and. kept%count < most_kept .and. states%steps <= most_kept_steps
         associate (waves => kept%waves(kept%count + 1))
             hankel => kept%waves(kept%count + 1)%hankel
-            call new_hankel(hankel, load, states, farthest, last, error, twin)
+            waves%last = last
+            waves%farthest = farthest
+            if (is_ready) then
+                waves%farthest = kept_reach(farthest)
+                do i = 1, kept%count
+                    if (kept%waves(i)%last <= most_waves*last) waves%last = max(waves%last, kept%waves(i)%last)
+                end do
+            end if
+            call find_kept(kept, .not. states%along_surface, farthest, last, twin)
+            if (is_ready .and. twin > 0) then
+                waves%last = kept%waves(twin)%last
+                waves%farthest = kept%waves(twin)%farthest
+                call twin_hankel(hankel, states, kept%waves(twin)%hankel)
+            else
+                call new_hankel(hankel, load, states, waves%farthest, waves%last, error)
+            end if
             if (allocated(error)) return
-            amplitudes = kept%amplitudes + real(size(hankel%all_k), wp)*real(states%steps, wp)
-            is_ready = is_ready .and. kept%count < most_kept .and. amplitudes <= most_kept_amplitudes .and. &
-                       states%steps <= most_kept_steps
-            if (.not. is_ready) return
+            associate (amplitudes => kept%amplitudes + real(size(hankel%all_k), wp)*real(states%steps, wp))
+                is_ready = is_ready .and. amplitudes <= most_kept_amplitudes
+                if (.not. is_ready) return
+                kept%amplitudes = amplitudes
+            end associate
             if (allocated(waves%states)) deallocate (waves%states)
             allocate (waves%states, source=states)
             hankel%states => kept%waves(kept%count + 1)%states
-            waves%farthest = farthest
-            waves%last = last
             if (.not. hankel%next_part(error)) return
         end associate
-        kept%amplitudes = amplitudes
         kept%count = kept%count + 1
     end subroutine find_waves
+
+    !> The reach of a rule that is kept.
+    pure function kept_reach(farthest) result(reach)
+        !> largest a + r at hand [a]
+        real(wp), intent(in) :: farthest
+        real(wp) :: reach
+
+        reach = near_kept
+        do while (reach < farthest)
+            reach = 2.0_wp*reach
+        end do
+    end function kept_reach
+
+    !> The rule that covers some points, for the load in one direction; 0: none.
+    pure subroutine find_kept(kept, along_surface, farthest, last, which)
+        type(kept_waves_t), intent(in) :: kept
+        logical, intent(in) :: along_surface
+        real(wp), intent(in) :: farthest, last
+        integer, intent(out) :: which
+        real(wp) :: reach
+        integer :: i
+
+        which = 0
+        reach = kept_reach(farthest)
+        do i = 1, kept%count
+            associate (waves => kept%waves(i))
+                if (waves%states%along_surface .neqv. along_surface) cycle
+                if (waves%last >= last .and. waves%farthest <= reach .and. waves%farthest >= farthest) which = i
+            end associate
+        end do
+    end subroutine find_kept
 
     !> Adds the integrals over a part of the wavenumbers to the sums of the first n points in `order`.
     subroutine add_part(points, hankel, lattice, n, threads, error)
