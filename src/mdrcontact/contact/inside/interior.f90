@@ -59,12 +59,14 @@ module mdrcontact_inside_interior
         type(waves_t) :: waves(most_kept + 1)
         integer :: count = 0
         real(wp) :: amplitudes = 0.0_wp
+        !> of the closed field
+        type(half_space_rule_t), allocatable :: rule
     end type kept_waves_t
 
     !> Points whose sums must be found; `order` lists those of one prepared integral.
     type, extends(batch_t) :: points_t
         class(load_t), pointer :: load => null()
-        type(half_space_rule_t) :: rule
+        type(half_space_rule_t), pointer :: rule => null()
         type(hankel_t), pointer :: hankel => null()
         class(states_t), pointer :: states => null()
         type(depth_t), pointer :: depths(:) => null()
@@ -142,6 +144,7 @@ contains
         type(points_t) :: points
         real(wp), allocatable, target :: radii(:), sums(:, :), integrals(:, :)
         logical, allocatable, target :: is_known(:)
+        type(half_space_rule_t), target :: rule
         integer :: stat
 
         allocate (radii(size(r)), sums(normal_sums, size(r)), stat=stat)
@@ -161,7 +164,13 @@ contains
             points%integrals => integrals
             points%is_known => is_known
         end if
-        call new_half_space_rule(points%rule, load, error)
+        if (present(kept)) then
+            if (.not. allocated(kept%rule)) call take_rule(kept%rule, load, error)
+            points%rule => kept%rule
+        else
+            call new_half_space_rule(rule, load, error)
+            points%rule => rule
+        end if
         call find_sums(points, .false., lattice, sums, threads, error, kept)
         if (allocated(error)) return
         call normal_components(depths, radii, load%radius, sums, field)
@@ -179,6 +188,15 @@ contains
         call mark_singular(load, states%half_space%singular, r, z, friction, angle, field)
         if (present(opposite)) call mark_singular(load, states%half_space%singular, r, z, friction, angle + pi, opposite)
     end subroutine state_field
+
+    subroutine take_rule(rule, load, error)
+        type(half_space_rule_t), allocatable, intent(out) :: rule
+        class(load_t), intent(in) :: load
+        type(error_t), allocatable, intent(inout) :: error
+
+        allocate (rule)
+        call new_half_space_rule(rule, load, error)
+    end subroutine take_rule
 
     !> Refuses points outside the body or too far away.
     subroutine check_distances(load, r, z, error)

@@ -92,6 +92,11 @@ module mdrcontact_inside_largest
     !> So many peaks of the grid are followed, which fall short of the highest one by no more than this part of the range of values.
     integer, parameter :: most_peaks = 4
     real(wp), parameter :: noticed = 0.2_wp
+    !> Part of a grid's largest value that the last term of its polynomial may be where it can meet the stress.
+    real(wp), parameter :: resolved = 1.0e-7_wp
+    !> How many times less a stress falls from its place in a grid a quarter as long: 16 times beside a smooth maximum, 4 times or
+    !> less beside a kink.
+    real(wp), parameter :: most_fall = 8.0_wp
     !> Nothing is searched for nearer than this to where stresses are infinite [a].
     real(wp), parameter :: off_singular = 1.0e-3_wp, rounding = 1.0e-9_wp
     !> Distances from there at which a grid also has points [a].
@@ -264,28 +269,86 @@ contains
         integer, intent(in) :: first, part
         type(maximum_t), intent(inout) :: peak
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: ends_r(2), ends_z(2)
+        real(wp) :: ends_r(2), ends_z(2), before(4), falls(4)
         integer :: i, at(2), which, side
-        logical :: is_met
+        logical :: is_met, is_last
 
         which = first
         side = grids%list(first)%side
+        before = infinity
         do i = 1, most_grids
             associate (grid => grids%list(which), all_r => grids%list(first)%ends_r, all_z => grids%list(first)%ends_z)
                 at = maxloc(grid%values(:, :, part))
                 call raise_peak(peak, grid%values(at(1), at(2), part), grid%r(at(1)), grid%z(at(2)))
+                falls = falls_around(grid%values(:, :, part), at)
+                if (is_at_kink(self, grid%r(at(1)), grid%z(at(2)))) then
+                    if (all(falls > 0.0_wp .and. falls >= before/most_fall)) return
+                    before = falls
+                end if
                 ends_r = closer(grid%r, at(1), box%r)
                 ends_z = closer(grid%z, at(2), box%z)
-                if (is_within(ends_r, grid%ends_r) .and. is_within(ends_z, grid%ends_z)) then
+                is_last = length(ends_r) <= smallest*length(all_r) .and. length(ends_z) <= smallest*length(all_z)
+                if (is_within(ends_r, grid%ends_r) .and. is_within(ends_z, grid%ends_z) .and. &
+                    (is_last .or. is_resolved(grid%values(:, :, part), at))) then
                     call meet_top(self, grid, part, peak, is_met, error)
                     if (is_met .or. allocated(error)) return
                 end if
-                if (length(ends_r) <= smallest*length(all_r) .and. length(ends_z) <= smallest*length(all_z)) return
+                if (is_last) return
             end associate
             call find_grid(self, ends_r, ends_z, side, grids, which, error)
             if (allocated(error)) return
         end do
     end subroutine find_peak
+
+    !> Whether a point is where stresses are not smooth at the surface: at the edge, or where the indenter is not.
+    pure function is_at_kink(self, r, z) result(answer)
+        class(stressed_t), intent(in) :: self
+        real(wp), intent(in) :: r, z
+        logical :: answer
+
+        answer = .not. z > 0.0_wp .and. any(abs(r - [self%load%radius, self%load%kinks]) <= rounding*self%load%radius)
+    end function is_at_kink
+
+    !> By how much values around the largest one are smaller; infinity beyond the ends.
+    pure function falls_around(values, at) result(falls)
+        real(wp), intent(in) :: values(:, :)
+        integer, intent(in) :: at(2)
+        real(wp) :: falls(4)
+
+        falls = infinity
+        associate (i => at(1), j => at(2))
+            if (i > 1) falls(1) = values(i, j) - values(i - 1, j)
+            if (i < size(values, 1)) falls(2) = values(i, j) - values(i + 1, j)
+            if (j > 1) falls(3) = values(i, j) - values(i, j - 1)
+            if (j < size(values, 2)) falls(4) = values(i, j) - values(i, j + 1)
+        end associate
+    end function falls_around
+
+    !> Whether the last terms of polynomials through the row and the column of the largest value are small.
+    pure function is_resolved(values, at) result(answer)
+        real(wp), intent(in) :: values(:, :)
+        integer, intent(in) :: at(2)
+        logical :: answer
+
+        answer = max(last_term(values(:, at(2))), last_term(values(at(1), :))) <= resolved*maxval(abs(values))
+    end function is_resolved
+
+    !> The Chebyshev polynomial's part of the highest degree in values at `points` even places; 0 for a single one.
+    pure function last_term(values) result(term)
+        real(wp), intent(in) :: values(:)
+        real(wp) :: term
+        real(wp) :: differences(size(values))
+        integer :: i
+
+        term = 0.0_wp
+        if (size(values) < points) return
+        differences = values
+        do i = 1, points - 1
+            differences(:points - i) = differences(2:points - i + 1) - differences(:points - i)
+        end do
+        ! over 8! (1/4)^8 2^7
+        term = abs(differences(1))*(4.0_wp**8/(40320.0_wp*2.0_wp**7))
+    end function last_term
 
     !> Compares the polynomial through a grid with the stress where it is largest.
     subroutine meet_top(self, grid, part, peak, is_met, error)
