@@ -101,6 +101,13 @@ def _spinning_cone() -> Numbers:
     return heat_of(Cone(0.1), 2.0, motion="spinning")
 
 
+@row("heat of friction: moving paraboloid, Peclet number 100")
+def _moving_slowly() -> Numbers:
+    from mdrcontact import Paraboloid
+
+    return heat_of(Paraboloid(1000.0), 1.0, motion="moving", source_speed=4.9e7)
+
+
 @row("heat of friction: moving paraboloid, Peclet number 1000")
 def _moving() -> Numbers:
     from mdrcontact import Paraboloid

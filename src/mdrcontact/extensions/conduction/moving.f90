@@ -15,7 +15,7 @@ module mdrcontact_conduction_moving
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_made, check_positive, error_domain, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
-    use mdrcontact_numerics_chebyshev, only: node, series_of_values, series_value, terms
+    use mdrcontact_numerics_chebyshev, only: chebyshev_sums, cosine_transform, node, series_of_values, series_value, terms
     use mdrcontact_numerics_even_waves, only: even_waves
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_numerics_waves, only: wave_rule
@@ -30,6 +30,10 @@ module mdrcontact_conduction_moving
     !> panels of those from cos phi = 1.
     real(wp), parameter :: many_phases = 60.0_wp, decay = 32.0_wp
     integer, parameter :: panels_from_one = 3
+    !> Waves over a from which means over directions, less their phase, are series in each octave, and the terms of one: singular
+    !> points of chi lie on the imaginary axis, so that the last term is 1e-16 or less.
+    real(wp), parameter :: first_octave = 16.0_wp
+    integer, parameter :: octave_terms = 32
     !> Waves up to (cutoff_factor Pe)^(2/7)/a, and beyond the source's own, show in temperatures along its line to 1e-7.
     real(wp), parameter :: cutoff_factor = 1.0e7_wp, own_waves = 4.0_wp, fewest_waves = 60.0_wp
     !> Waves of the means: chi falls as Pe^2/k^2.
@@ -191,16 +195,16 @@ contains
         type(waves_t), intent(in) :: waves
         type(heat_t), intent(inout) :: heat
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: less(1)
+        real(wp), allocatable :: means(:, :)
+        real(wp) :: less
         integer :: i
 
+        call find_means(body, a, speed, waves, [0.0_wp], waves%z(size(waves%z)), means, error)
+        if (allocated(error)) return
         do i = 1, size(waves%z)
-            call check_cancelled(error)
-            if (allocated(error)) return
-            call find_directions(body, waves, waves%z(i)/a, speed, [0.0_wp], less)
-            less = less*waves%weight(i)/(a*body%s(1))*waves%hat(i)
-            heat%centre = heat%centre + less(1)
-            heat%flux_mean = heat%flux_mean + 2.0_wp*pi/heat%total*waves%hat(i)*less(1)
+            less = means(1, i)*waves%weight(i)/(a*body%s(1))*waves%hat(i)
+            heat%centre = heat%centre + less
+            heat%flux_mean = heat%flux_mean + 2.0_wp*pi/heat%total*waves%hat(i)*less
         end do
     end subroutine add_means
 
@@ -215,20 +219,103 @@ contains
         real(wp), intent(in) :: last
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: less(size(x)), flux_z(size(x)), flux_r(size(x))
+        real(wp), allocatable :: means(:, :)
+        real(wp) :: flux_z(size(x)), flux_r(size(x))
         integer :: i
 
         values = 0.0_wp
         call fields_inside(body, a, load, x, spread(0.0_wp, 1, size(x)), .true., values, flux_z, flux_r, error)
         if (allocated(error)) return
-        do i = 1, size(waves%z)
-            if (waves%z(i) > last) exit
-            call check_cancelled(error)
-            if (allocated(error)) return
-            call find_directions(body, waves, waves%z(i)/a, speed, x, less)
-            values = values + waves%hat(i)*waves%weight(i)/(a*body%s(1))*less
+        call find_means(body, a, speed, waves, x, last, means, error)
+        if (allocated(error)) return
+        do i = 1, size(means, 2)
+            values = values + waves%hat(i)*waves%weight(i)/(a*body%s(1))*means(:, i)
         end do
     end subroutine temperatures
+
+    !> The means over all directions of the waves up to one, octave by octave where their phase is a factor.
+    subroutine find_means(body, a, speed, waves, x, last, means, error)
+        type(conductors_t), intent(in) :: body
+        real(wp), intent(in) :: a, speed
+        type(waves_t), intent(in) :: waves
+        !> >= 0 [length]
+        real(wp), intent(in) :: x(:)
+        !> over a
+        real(wp), intent(in) :: last
+        !> (x, wave)
+        real(wp), allocatable, intent(out) :: means(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: from
+        integer :: i, n, next
+
+        n = count(waves%z <= last)
+        allocate (means(size(x), n))
+        from = first_octave
+        if (maxval(x) > 0.0_wp) from = max(from, many_phases*a/max(minval(x), tiny(a)))
+        i = 1
+        do while (i <= n)
+            call check_cancelled(error)
+            if (allocated(error)) return
+            if (waves%z(i) <= from) then
+                next = i + 1
+                call find_directions(body, waves, waves%z(i)/a, speed, x, means(:, i))
+            else
+                next = i + count(waves%z(i:n) <= 2.0_wp*waves%z(i))
+                call find_octave(body, waves, waves%z(i:next - 1)/a, speed, x, means(:, i:next - 1))
+            end if
+            i = next
+        end do
+    end subroutine find_means
+
+    !> The means of the waves of an octave: series of what they are without their phase.
+    pure subroutine find_octave(body, waves, k, speed, x, means)
+        type(conductors_t), intent(in) :: body
+        type(waves_t), intent(in) :: waves
+        !> ascending
+        real(wp), intent(in) :: k(:), speed, x(:)
+        !> (x, wave)
+        real(wp), intent(out) :: means(:, :)
+        real(wp) :: cosines(octave_terms, octave_terms), values(3, size(x), octave_terms), parts(3, size(x)), sums(size(k), 3)
+        real(wp) :: ends(2)
+        integer :: i, j
+
+        if (size(k) <= octave_terms) then
+            do i = 1, size(k)
+                call find_parts(body, waves, k(i), speed, x, parts)
+                means(:, i) = parts(1, :) + parts(2, :)*cos(k(i)*x) - parts(3, :)*sin(k(i)*x)
+            end do
+            return
+        end if
+        ends = k([1, size(k)])
+        do i = 1, octave_terms
+            call find_parts(body, waves, ends(1) + 0.5_wp*(ends(2) - ends(1))*(1.0_wp + node(i, octave_terms)), speed, x, &
+                            values(:, :, i))
+        end do
+        call cosine_transform(cosines)
+        do i = 1, size(x)
+            do j = 1, 3
+                call chebyshev_sums(matmul(values(j, i, :), cosines), ends(1), ends(2), k, sums(:, j))
+            end do
+            means(i, :) = sums(:, 1) + sums(:, 2)*cos(k*x(i)) - sums(:, 3)*sin(k*x(i))
+        end do
+    end subroutine find_octave
+
+    !> The mean over all directions in parts: what has no phase, and real and imaginary part of the factor of exp(i k x).
+    pure subroutine find_parts(body, waves, k, speed, x, parts)
+        type(conductors_t), intent(in) :: body
+        type(waves_t), intent(in) :: waves
+        !> x all 0, or k x large
+        real(wp), intent(in) :: k, speed, x(:)
+        !> (3, size(x))
+        real(wp), intent(out) :: parts(:, :)
+
+        parts = 0.0_wp
+        if (maxval(x) > 0.0_wp) then
+            call find_complex_directions(body, waves, k, speed, x, parts)
+        else
+            call find_directions(body, waves, k, speed, x, parts(1, :))
+        end if
+    end subroutine find_parts
 
     !> The place, -1 to 1, where a series with these values at its points is largest.
     pure function place_of_largest(values) result(place)
@@ -269,10 +356,6 @@ contains
         integer :: j
 
         mean = 0.0_wp
-        if (k*minval(x) > many_phases) then
-            call find_complex_directions(body, waves, k, speed, x, mean)
-            return
-        end if
         call body%response(cmplx(k, 0.0_wp, wp), (0.0_wp, 0.0_wp), one_plus_chi, rest)
         near = branch_point(body, k, speed)
         longest = longest_phase/max(k*maxval(x), tiny(k))
@@ -300,21 +383,23 @@ contains
         cosine = min(k, 1.0_wp/max(body%depth(), tiny(k)))/max(speed*maxval(body%rate), tiny(k))
     end function branch_point
 
-    !> The same at points where the phase turns often: from c = cos phi = 0 and from 1 along paths of complex c, exp(i pi/4) rho
-    !> and 1 + i t^2, on which exp(i k x c) decays. Poles and branch points of chi have i c < 0, on the imaginary axis.
-    pure subroutine find_complex_directions(body, waves, k, speed, x, mean)
+    !> The same at points where the phase turns often, in the parts of find_parts: from c = cos phi = 0 and from 1 along paths of
+    !> complex c, exp(i pi/4) rho and 1 + i t^2, on which exp(i k x c) decays. Poles and branch points of chi have i c < 0, on the
+    !> imaginary axis.
+    pure subroutine find_complex_directions(body, waves, k, speed, x, parts)
         type(conductors_t), intent(in) :: body
         type(waves_t), intent(in) :: waves
         !> x > 0
         real(wp), intent(in) :: k, speed, x(:)
-        !> same size as x
-        real(wp), intent(out) :: mean(:)
+        !> (3, size(x))
+        real(wp), intent(out) :: parts(:, :)
         complex(wp), parameter :: ray = (1.0_wp, 1.0_wp)*sqrt(0.5_wp)
-        complex(wp) :: one_plus_chi, rest, c
+        complex(wp) :: one_plus_chi, rest, c, from_zero(size(x)), from_one(size(x))
         real(wp) :: left, right, near, longest, t
         integer :: i, j
 
-        mean = 0.0_wp
+        from_zero = 0.0_wp
+        from_one = 0.0_wp
         call body%response(cmplx(k, 0.0_wp, wp), (0.0_wp, 0.0_wp), one_plus_chi, rest)
         near = 0.5_wp*branch_point(body, k, speed)
         longest = longest_phase/(k*maxval(x))
@@ -324,7 +409,8 @@ contains
             if (right <= min(near, longest) .or. right < shortest_panel) left = 0.0_wp
             do j = 1, direction_nodes
                 c = ray*(left + (right - left)*waves%node(j))
-                mean = mean + along(body, k, speed, c, rest, (right - left)*waves%share(j)*ray/sqrt(1.0_wp - c**2), x)
+                from_zero = from_zero + (right - left)*waves%share(j)*ray/sqrt(1.0_wp - c**2)*change(body, k, speed, c, rest) &
+                            *exp((0.0_wp, 1.0_wp)*k*c*x)
             end do
             right = left
         end do
@@ -334,25 +420,26 @@ contains
                 t = right*(i - 1 + waves%node(j))
                 c = cmplx(1.0_wp, t**2, wp)
                 ! -2 i t dt/sqrt(1 - c^2)
-                mean = mean + along(body, k, speed, c, rest, &
-                                    right*waves%share(j)*(0.0_wp, -2.0_wp)/sqrt(cmplx(t**2, -2.0_wp, wp)), x)
+                from_one = from_one + right*waves%share(j)*(0.0_wp, -2.0_wp)/sqrt(cmplx(t**2, -2.0_wp, wp)) &
+                           *change(body, k, speed, c, rest)*exp(-k*t**2*x)
             end do
         end do
-        mean = mean/half_pi
+        parts(1, :) = real(from_zero, wp)/half_pi
+        parts(2, :) = real(from_one, wp)/half_pi
+        parts(3, :) = aimag(from_one)/half_pi
     end subroutine find_complex_directions
 
-    !> Re[weight dchi exp(i k c x)] in one complex direction c.
-    pure function along(body, k, speed, c, rest, weight, x) result(values)
+    !> dchi in one complex direction c.
+    pure function change(body, k, speed, c, rest) result(value)
         type(conductors_t), intent(in) :: body
         real(wp), intent(in) :: k, speed
         !> chi(k, 0)
-        complex(wp), intent(in) :: c, rest, weight
-        real(wp), intent(in) :: x(:)
-        real(wp) :: values(size(x))
-        complex(wp) :: one_plus_chi, chi
+        complex(wp), intent(in) :: c, rest
+        complex(wp) :: value
+        complex(wp) :: one_plus_chi
 
-        call body%response(cmplx(k, 0.0_wp, wp), (0.0_wp, 1.0_wp)*speed*k*c, one_plus_chi, chi)
-        values = real(weight*(chi - rest)*exp((0.0_wp, 1.0_wp)*k*c*x), wp)
-    end function along
+        call body%response(cmplx(k, 0.0_wp, wp), (0.0_wp, 1.0_wp)*speed*k*c, one_plus_chi, value)
+        value = value - rest
+    end function change
 
 end module mdrcontact_conduction_moving
