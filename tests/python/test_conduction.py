@@ -1082,18 +1082,22 @@ def test_heat_on_a_body_graded_by_a_power(exponent, motion):
 
 
 @pytest.mark.parametrize(
-    ("body", "largest", "behind"),
+    ("body", "largest", "behind", "centre", "flux_mean"),
     [
-        (Conductor(1.0, None, 1.0), 0.04970430660749859, 0.64848895639),
-        (LayeredConductor([(Conductor(2.0, None, 1.0), 0.3)], Conductor(1.0, None, 3.0)), 0.03503149484164056, 0.64486366360),
+        (Conductor(1.0, None, 1.0), 0.04970430660749859, 0.64848895639, 0.039788389886130746, 0.030007734266309528),
+        (
+            LayeredConductor([(Conductor(2.0, None, 1.0), 0.3)], Conductor(1.0, None, 3.0)),
+            *(0.03503149484164056, 0.64486366360, 0.02810220011393175, 0.02119227289193812),
+        ),
     ],
 )
-def test_largest_temperature_of_a_fast_source(body, largest, behind):
-    """By directions that are real, in short panels: 14 digits."""
+def test_temperatures_of_a_fast_source(body, largest, behind, centre, flux_mean):
+    """By directions that are real, in short panels, of every wave: 14 digits."""
     state = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(1.0, 0.3))).at_radius(1.0)
     heat = Conduction(body).friction_heat(state, 1.0, 1.0, "moving", 300.0)
     assert heat.largest == pytest.approx(largest, rel=1e-12)
     assert heat.behind == pytest.approx(behind, rel=1e-9)
+    assert heat.centre == pytest.approx(centre, rel=1e-13) and heat.flux_mean == pytest.approx(flux_mean, rel=1e-13)
 
 
 @pytest.mark.parametrize("time", [5e-5, 1e-2, 0.3, 10.0])
