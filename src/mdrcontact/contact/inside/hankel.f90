@@ -20,7 +20,7 @@ module mdrcontact_inside_hankel
     use mdrcontact_numerics_waves, only: wave_rule
     implicit none (type, external)
     private
-    public :: hankel_t, new_hankel, twin_hankel, add_point, add_grid
+    public :: hankel_t, part_t, new_hankel, twin_hankel, add_point, add_grid
 
     !> Wavenumbers, radii and depths that are worked on together. OpenBLAS starts threads from products of 2^18 on.
     integer, parameter :: slab = 256, radii = 25, together = 40
@@ -39,9 +39,16 @@ module mdrcontact_inside_hankel
         procedure :: next_part
     end type hankel_t
 
+    !> The integrals of one load, of which others share the nodes.
+    type :: part_t
+        type(hankel_t), pointer :: hankel => null()
+        !> its sums are those after this one
+        integer :: before = 0
+    end type part_t
+
     !> A slab of wavenumbers of a grid: first the states at all depths, then their products with the Bessel functions.
     type, extends(batch_t) :: grid_t
-        type(hankel_t), pointer :: hankel => null()
+        type(part_t), allocatable :: parts(:)
         type(depth_t), pointer :: depths(:) => null()
         real(wp), pointer :: r(:) => null(), sums(:, :, :) => null()
         integer, pointer :: place(:) => null()
@@ -160,13 +167,15 @@ contains
     end subroutine weighted_state
 
     !> J0, J1/r and J2/r^2 at nodes first to last: (node, order).
-    pure subroutine bessel_table(self, r, first, last, j)
+    pure subroutine bessel_table(self, along_surface, r, first, last, j)
         type(hankel_t), intent(in) :: self
+        !> whether J2 is needed
+        logical, intent(in) :: along_surface
         real(wp), intent(in) :: r
         integer, intent(in) :: first, last
         real(wp), intent(out) :: j(first:, 0:)
 
-        if (self%states%along_surface) then
+        if (along_surface) then
             call self%bessel%at(self%k(first:last), r, j(:, 0), j(:, 1), j(:, 2))
         else
             call self%bessel%at(self%k(first:last), r, j(:, 0), j(:, 1))
@@ -188,7 +197,7 @@ contains
             last = min(first + block - 1, waves)
             n = last - first + 1
             call weighted_state(self, depth, first, last, columns(:n, :))
-            call bessel_table(self, r, first, last, j(:n, :))
+            call bessel_table(self, self%states%along_surface, r, first, last, j(:n, :))
             part = 0.0_wp
             if (self%states%along_surface) then
                 ! J2/r^2 to J2 for the last one
@@ -206,8 +215,9 @@ contains
     end subroutine add_point
 
     !> Adds the sums on a grid of radii and depths, by threads.
-    subroutine add_grid(self, depths, r, sums, threads, error)
-        type(hankel_t), intent(in), target :: self
+    subroutine add_grid(parts, depths, r, sums, threads, error)
+        !> of the same nodes
+        type(part_t), intent(in) :: parts(:)
         type(depth_t), intent(in), target :: depths(:)
         real(wp), intent(in), target :: r(:)
         !> (radius, sum, depth)
@@ -220,7 +230,7 @@ contains
         real(wp), allocatable :: last(:)
         integer :: first, waves, stat
 
-        grid%hankel => self
+        allocate (grid%parts, source=parts)
         grid%depths => depths
         grid%r => r
         grid%sums => sums
@@ -233,24 +243,26 @@ contains
         call gsl_sort_index(order, last, 1_c_size_t, size(order, kind=c_size_t))
         place = int(order) + 1
         grid%place => place
-        waves = wave_count(self, depths(place(1)))
-        do first = 1, waves, slab
-            grid%first = first
-            grid%last = min(first + slab - 1, waves)
-            grid%active = count(depths%last >= self%k(first))
-            grid%is_bessel = .false.
-            call run_batch(grid, grid%active, 4, 8, threads, error)
-            grid%is_bessel = .true.
-            call run_batch(grid, size(r), radii, 2*radii, threads, error)
-            if (allocated(error)) return
-        end do
+        associate (hankel => parts(1)%hankel)
+            waves = wave_count(hankel, depths(place(1)))
+            do first = 1, waves, slab
+                grid%first = first
+                grid%last = min(first + slab - 1, waves)
+                grid%active = count(depths%last >= hankel%k(first))
+                grid%is_bessel = .false.
+                call run_batch(grid, grid%active, 4, 8, threads, error)
+                grid%is_bessel = .true.
+                call run_batch(grid, size(r), radii, 2*radii, threads, error)
+                if (allocated(error)) return
+            end do
+        end associate
     end subroutine add_grid
 
     subroutine grid_work(self, first, last, error)
         class(grid_t), intent(inout) :: self
         integer, intent(in) :: first, last
         type(error_t), allocatable, intent(out) :: error
-        integer :: i, n
+        integer :: i, j, n
 
         if (self%is_bessel) then
             do i = first, last, radii
@@ -260,37 +272,62 @@ contains
         else
             do i = first, last
                 associate (depth => self%depths(self%place(i)))
-                    n = min(wave_count(self%hankel, depth), self%last) - self%first + 1
+                    n = min(wave_count(self%parts(1)%hankel, depth), self%last) - self%first + 1
                     self%columns(n + 1:, i, :) = 0.0_wp
-                    call weighted_state(self%hankel, depth, self%first, self%first + n - 1, self%columns(:n, i, :))
+                    do j = 1, size(self%parts)
+                        associate (hankel => self%parts(j)%hankel, before => self%parts(j)%before)
+                            call weighted_state(hankel, depth, self%first, self%first + n - 1, &
+                                                self%columns(:n, i, before + 1:before + sum(groups(hankel))))
+                        end associate
+                    end do
                 end associate
             end do
         end if
     end subroutine grid_work
 
-    !> The radii from first to last of a slab: products of matrices for every sum, so small that no BLAS starts threads for them.
+    !> The radii from first to last of a slab: the Bessel functions, then the sums of each load.
     subroutine multiply(self, first, last, error)
         class(grid_t), intent(inout) :: self
         integer, intent(in) :: first, last
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: product(radii, together)
         real(wp), allocatable :: j(:, :, :)
-        integer :: i, n, m, deep, count, place, order, group(0:2), stat
+        logical :: along_surface
+        integer :: i, m, stat
+
+        m = last - first + 1
+        allocate (j(self%last - self%first + 1, m, 0:2), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        along_surface = .false.
+        do i = 1, size(self%parts)
+            along_surface = along_surface .or. self%parts(i)%hankel%states%along_surface
+        end do
+        do i = 1, m
+            call bessel_table(self%parts(1)%hankel, along_surface, self%r(first + i - 1), self%first, self%last, j(:, i, :))
+        end do
+        do i = 1, size(self%parts)
+            call multiply_part(self, self%parts(i), first, last, j)
+        end do
+    end subroutine multiply
+
+    !> Products of matrices for every sum of a load, so small that no BLAS starts threads for them.
+    subroutine multiply_part(self, part, first, last, j)
+        class(grid_t), intent(inout) :: self
+        type(part_t), intent(in) :: part
+        integer, intent(in) :: first, last
+        !> (node, radius, order); J2/r^2 becomes J2
+        real(wp), intent(inout) :: j(self%last - self%first + 1, last - first + 1, 0:2)
+        real(wp) :: product(radii, together)
+        integer :: i, n, m, deep, count, place, order, group(0:2)
 
         n = self%last - self%first + 1
         m = last - first + 1
-        group = groups(self%hankel)
-        allocate (j(n, m, 0:2), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        do i = 1, m
-            call bessel_table(self%hankel, self%r(first + i - 1), self%first, self%last, j(:, i, :))
-        end do
-        place = 0
+        group = groups(part%hankel)
+        place = part%before
         do order = 0, 2
             do i = 1, group(order)
                 place = place + 1
-                if (place == shear_sums) call times_square(self%r(first:last), j(:, :, order))
+                if (place - part%before == shear_sums) call times_square(self%r(first:last), j(:, :, order))
                 do deep = 1, self%active, together
                     count = min(together, self%active - deep + 1)
                     call dgemm("T", "N", m, count, n, 1.0_wp, j(1, 1, order), n, self%columns(1, deep, place), slab, 0.0_wp, &
@@ -299,7 +336,7 @@ contains
                 end do
             end do
         end do
-    end subroutine multiply
+    end subroutine multiply_part
 
     !> J2/r^2 to J2, for the last shear sum.
     pure subroutine times_square(r, j)

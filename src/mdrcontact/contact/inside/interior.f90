@@ -9,7 +9,7 @@ module mdrcontact_inside_interior
     use mdrcontact_batch, only: batch_t, run_batch
     use mdrcontact_error, only: check_memory, check_not_negative, error_domain, error_t, raise, to_text
     use mdrcontact_inside_half_space, only: half_space_rule_t, integrate, new_half_space_rule, normal_sums, shear_sums
-    use mdrcontact_inside_hankel, only: add_grid, add_point, hankel_t, new_hankel, twin_hankel
+    use mdrcontact_inside_hankel, only: add_grid, add_point, hankel_t, new_hankel, part_t, twin_hankel
     use mdrcontact_inside_layer_states, only: layer_states_t, new_layer_states
     use mdrcontact_inside_lattice, only: distinct_among, lattice_t, new_lattice
     use mdrcontact_medium_load, only: load_t
@@ -67,18 +67,20 @@ module mdrcontact_inside_interior
     type, extends(batch_t) :: points_t
         class(load_t), pointer :: load => null()
         type(half_space_rule_t), pointer :: rule => null()
-        type(hankel_t), pointer :: hankel => null()
         class(states_t), pointer :: states => null()
         type(depth_t), pointer :: depths(:) => null()
         !> distances from the axis [length] and [a]
         real(wp), pointer :: position(:) => null(), r(:) => null()
+        !> (sum, point): of the load across the surface, then of the one along it
         real(wp), pointer :: sums(:, :) => null()
         !> of the half-space, (function, point), where the second load has those of the first one
         real(wp), pointer :: integrals(:, :) => null()
         logical, pointer :: is_known(:) => null()
         !> allocated for all points
         integer, allocatable :: order(:)
+        !> what is added: the closed field, or these integrals
         logical :: is_closed = .false.
+        type(part_t), allocatable :: parts(:)
     contains
         procedure :: work => points_work
     end type points_t
@@ -147,7 +149,7 @@ contains
         type(half_space_rule_t), target :: rule
         integer :: stat
 
-        allocate (radii(size(r)), sums(normal_sums, size(r)), stat=stat)
+        allocate (radii(size(r)), sums(merge(normal_sums + shear_sums, normal_sums, friction /= 0.0_wp), size(r)), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         radii(:) = r/load%radius
@@ -156,6 +158,7 @@ contains
         points%depths => depths
         points%position => r
         points%r => radii
+        points%sums => sums
         if (friction /= 0.0_wp) then
             allocate (integrals(states%half_space%functions, size(r)), is_known(size(r)), stat=stat)
             call check_memory(error, stat)
@@ -171,19 +174,22 @@ contains
             call new_half_space_rule(rule, load, error)
             points%rule => rule
         end if
-        call find_sums(points, .false., lattice, sums, threads, error, kept)
+        if (friction /= 0.0_wp .and. present(kept)) then
+            call find_sums(points, [.false., .true.], lattice, threads, error, kept)
+        else
+            call find_sums(points, [.false.], lattice, threads, error, kept)
+            if (friction /= 0.0_wp) call find_sums(points, [.true.], lattice, threads, error, kept)
+        end if
         if (allocated(error)) return
-        call normal_components(depths, radii, load%radius, sums, field)
+        call normal_components(depths, radii, load%radius, sums(:normal_sums, :), field)
         if (present(opposite)) opposite = field
         if (friction /= 0.0_wp) then
-            deallocate (sums)
-            allocate (sums(shear_sums, size(r)), stat=stat)
-            call check_memory(error, stat)
-            if (stat /= 0) return
-            call find_sums(points, .true., lattice, sums, threads, error, kept)
-            if (allocated(error)) return
-            call add_shear_components(depths, radii, load%radius, sums, friction, angle, field)
-            if (present(opposite)) call add_shear_components(depths, radii, load%radius, sums, friction, angle + pi, opposite)
+            associate (shear => sums(normal_sums + 1:, :))
+                call add_shear_components(depths, radii, load%radius, shear, friction, angle, field)
+                if (present(opposite)) then
+                    call add_shear_components(depths, radii, load%radius, shear, friction, angle + pi, opposite)
+                end if
+            end associate
         end if
         call mark_singular(load, states%half_space%singular, r, z, friction, angle, field)
         if (present(opposite)) call mark_singular(load, states%half_space%singular, r, z, friction, angle + pi, opposite)
@@ -277,36 +283,34 @@ contains
         if (abs(infinite_pressure(load, r, z)) > 0.0_wp) depth = just_below
     end function depth_of
 
-    !> The sums of all points, for a load across or along the surface.
-    subroutine find_sums(points, along_surface, lattice, sums, threads, error, kept)
+    !> The sums of all points, for a load across or along the surface, or for both. States that are kept allow both.
+    subroutine find_sums(points, along_surface, lattice, threads, error, kept)
         type(points_t), intent(inout) :: points
-        logical, intent(in) :: along_surface
+        logical, intent(in) :: along_surface(:)
         type(lattice_t), intent(in) :: lattice
-        real(wp), intent(out), target :: sums(:, :)
         integer, intent(in) :: threads
         type(error_t), allocatable, intent(inout) :: error
         type(kept_waves_t), intent(inout), target, optional :: kept
-        type(kept_waves_t), target :: own
-        type(hankel_t), pointer :: hankel
         logical, allocatable :: waiting(:), chosen(:)
-        logical :: is_ready
-        real(wp) :: reach, farthest, last
-        integer :: n, stat
+        real(wp) :: reach
+        integer :: i, n, stat
 
-        if (.not. allocated(error)) call points%states%turn(along_surface, points%depths, error)
         if (allocated(error)) return
         n = size(points%r)
         allocate (waiting(n), chosen(n), stat=stat)
         if (stat == 0 .and. .not. allocated(points%order)) allocate (points%order(n), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
-        sums = 0.0_wp
-        points%sums => sums
-        points%is_closed = .true.
-        chosen(:) = points%depths%less
-        call list_chosen(chosen, points%order, n)
-        call run_batch(points, n, 32, 64, threads, error)
-        if (allocated(error)) return
+        do i = 1, size(along_surface)
+            call points%states%turn(along_surface(i), points%depths, error)
+            if (allocated(error)) return
+            points%sums(first_sum(points):last_sum(points), :) = 0.0_wp
+            points%is_closed = .true.
+            chosen(:) = points%depths%less
+            call list_chosen(chosen, points%order, n)
+            call run_batch(points, n, 32, 64, threads, error)
+            if (allocated(error)) return
+        end do
         if (.not. points%states%structure > 0.0_wp) return
         points%is_closed = .false.
         waiting(:) = .true.
@@ -316,24 +320,66 @@ contains
             if (present(kept)) reach = kept_reach(reach)
             chosen(:) = waiting .and. 1.0_wp + points%r <= reach
             waiting(:) = waiting .and. .not. chosen
-            farthest = 1.0_wp + maxval(points%r, mask=chosen)
-            last = maxval(points%depths%last, mask=chosen)
             call list_chosen(chosen, points%order, n)
-            is_ready = present(kept)
-            if (present(kept)) then
-                call find_waves(kept, points%load, points%states, farthest, last, hankel, is_ready, error)
-            else
-                call find_waves(own, points%load, points%states, farthest, last, hankel, is_ready, error)
-            end if
-            if (allocated(error)) return
-            if (is_ready) call add_part(points, hankel, lattice, n, threads, error)
-            do while (.not. is_ready)
-                if (.not. hankel%next_part(error)) exit
-                call add_part(points, hankel, lattice, n, threads, error)
-            end do
+            call add_waves(points, along_surface, 1.0_wp + maxval(points%r, mask=chosen), &
+                           maxval(points%depths%last, mask=chosen), lattice, n, threads, error, kept)
             if (allocated(error)) return
         end do
     end subroutine find_sums
+
+    !> The first and the last sum of the load that is meant.
+    pure function first_sum(points) result(number)
+        class(points_t), intent(in) :: points
+        integer :: number
+
+        number = merge(normal_sums, 0, points%states%along_surface) + 1
+    end function first_sum
+
+    pure function last_sum(points) result(number)
+        class(points_t), intent(in) :: points
+        integer :: number
+
+        number = merge(normal_sums + shear_sums, normal_sums, points%states%along_surface)
+    end function last_sum
+
+    !> Adds the Hankel integrals at the first n points in `order`: those of kept rules together, those of others part after part.
+    subroutine add_waves(points, along_surface, farthest, last, lattice, n, threads, error, kept)
+        type(points_t), intent(inout) :: points
+        logical, intent(in) :: along_surface(:)
+        !> largest a + r [a] and largest wavenumber [1/a]
+        real(wp), intent(in) :: farthest, last
+        type(lattice_t), intent(in) :: lattice
+        integer, intent(in) :: n, threads
+        type(error_t), allocatable, intent(inout) :: error
+        type(kept_waves_t), intent(inout), target, optional :: kept
+        type(kept_waves_t), target :: own
+        type(part_t) :: ready(size(along_surface)), part
+        logical :: is_ready
+        integer :: i, m
+
+        m = 0
+        do i = 1, size(along_surface)
+            points%states%along_surface = along_surface(i)
+            part%before = first_sum(points) - 1
+            is_ready = present(kept)
+            if (present(kept)) then
+                call find_waves(kept, points%load, points%states, farthest, last, part%hankel, is_ready, error)
+            else
+                call find_waves(own, points%load, points%states, farthest, last, part%hankel, is_ready, error)
+            end if
+            if (allocated(error)) return
+            if (is_ready) then
+                m = m + 1
+                ready(m) = part
+                cycle
+            end if
+            do while (part%hankel%next_part(error))
+                call add_parts(points, [part], lattice, n, threads, error)
+            end do
+            if (allocated(error)) return
+        end do
+        if (m > 0) call add_parts(points, ready(:m), lattice, n, threads, error)
+    end subroutine add_waves
 
     !> The kept rule that covers some points, or a new one.
     subroutine find_waves(kept, load, states, farthest, last, hankel, is_ready, error)
@@ -420,20 +466,20 @@ contains
     end subroutine find_kept
 
     !> Adds the integrals over a part of the wavenumbers to the sums of the first n points in `order`.
-    subroutine add_part(points, hankel, lattice, n, threads, error)
+    subroutine add_parts(points, parts, lattice, n, threads, error)
         type(points_t), intent(inout) :: points
-        type(hankel_t), intent(in), target :: hankel
+        type(part_t), intent(in) :: parts(:)
         type(lattice_t), intent(in) :: lattice
         integer, intent(in) :: n, threads
         type(error_t), allocatable, intent(inout) :: error
 
-        points%hankel => hankel
         if (lattice%is_grid) then
-            call add_on_grid(hankel, lattice, points%depths, points%r, points%order(:n), points%sums, threads, error)
+            call add_on_grid(parts, lattice, points%depths, points%r, points%order(:n), points%sums, threads, error)
         else
+            points%parts = parts
             call run_batch(points, n, 16, 32, threads, error)
         end if
-    end subroutine add_part
+    end subroutine add_parts
 
     !> The places of the n chosen points come first in `order`.
     pure subroutine list_chosen(chosen, order, n)
@@ -451,8 +497,8 @@ contains
     end subroutine list_chosen
 
     !> The Hankel integrals of chosen points by products of matrices over their distinct radii and depths.
-    subroutine add_on_grid(hankel, lattice, depths, r, order, sums, threads, error)
-        type(hankel_t), intent(in) :: hankel
+    subroutine add_on_grid(parts, lattice, depths, r, order, sums, threads, error)
+        type(part_t), intent(in) :: parts(:)
         type(lattice_t), intent(in) :: lattice
         type(depth_t), intent(in) :: depths(:)
         real(wp), intent(in) :: r(:)
@@ -479,7 +525,7 @@ contains
         do i = 1, size(first_r)
             radii(i) = r(first_r(i))
         end do
-        call add_grid(hankel, levels, radii, table, threads, error)
+        call add_grid(parts, levels, radii, table, threads, error)
         if (allocated(error)) return
         do i = 1, size(order)
             sums(:, order(i)) = sums(:, order(i)) + table(row(i), :, column(i))
@@ -490,15 +536,23 @@ contains
         class(points_t), intent(inout) :: self
         integer, intent(in) :: first, last
         type(error_t), allocatable, intent(out) :: error
-        integer :: i, j
+        integer :: i, j, k
 
         do j = first, last
             i = self%order(j)
             if (self%is_closed) then
                 call add_closed(self, i)
-            else
-                call add_point(self%hankel, self%depths(i), self%r(i), self%sums(:, i))
+                cycle
             end if
+            do k = 1, size(self%parts)
+                associate (hankel => self%parts(k)%hankel, before => self%parts(k)%before)
+                    if (hankel%states%along_surface) then
+                        call add_point(hankel, self%depths(i), self%r(i), self%sums(before + 1:before + shear_sums, i))
+                    else
+                        call add_point(hankel, self%depths(i), self%r(i), self%sums(before + 1:before + normal_sums, i))
+                    end if
+                end associate
+            end do
         end do
     end subroutine points_work
 
@@ -507,27 +561,30 @@ contains
         class(points_t), intent(inout) :: self
         integer, intent(in) :: i
         real(wp), allocatable :: integrals(:)
-        logical :: is_known
+        logical :: shared, is_known
 
         associate (states => self%states, half_space => self%states%half_space, depth => self%depths(i), r => self%position(i))
-            is_known = associated(self%is_known)
-            allocate (integrals(merge(half_space%functions, half_space%normal_functions, is_known)))
-            if (is_known) is_known = self%is_known(i)
+            shared = associated(self%is_known)
+            allocate (integrals(merge(half_space%functions, half_space%normal_functions, shared)))
+            is_known = .false.
+            if (shared) is_known = self%is_known(i)
             if (is_known) then
                 integrals(:) = self%integrals(:, i)
             else
                 call integrate(half_space, self%rule, self%load, r, depth%z, integrals)
+                if (shared) then
+                    self%integrals(:, i) = integrals
+                    self%is_known(i) = .true.
+                end if
             end if
-            if (associated(self%is_known)) then
-                self%integrals(:, i) = integrals
-                self%is_known(i) = .true.
-            end if
-            if (states%along_surface) then
-                call half_space%add_shear(depth%z, integrals, self%sums(:, i))
-            else
-                call half_space%add_normal(depth%z, integrals, self%sums(:, i))
-            end if
-            call states%add_images(self%rule, self%load, depth, r, self%sums(:, i))
+            associate (sums => self%sums(first_sum(self):last_sum(self), i))
+                if (states%along_surface) then
+                    call half_space%add_shear(depth%z, integrals, sums)
+                else
+                    call half_space%add_normal(depth%z, integrals, sums)
+                end if
+                call states%add_images(self%rule, self%load, depth, r, sums)
+            end associate
         end associate
     end subroutine add_closed
 
