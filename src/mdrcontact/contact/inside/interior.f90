@@ -124,7 +124,7 @@ contains
         call check_memory(error, stat)
         call new_lattice(lattice, r, z, error)
         if (allocated(error)) return
-        call set_depths(load, layers, r, z, below, lattice%is_grid, depths, error)
+        call set_depths(load, layers, r, z, below, lattice%is_grid, present(kept), depths, error)
         if (allocated(error)) return
         call state_field(load, states, lattice, r, z, depths, field, error, friction, angle, threads, kept, opposite)
     end subroutine interior_field
@@ -241,11 +241,11 @@ contains
         end do
     end subroutine check_points
 
-    subroutine set_depths(load, layers, r, z, below, is_grid, depths, error)
+    subroutine set_depths(load, layers, r, z, below, is_grid, is_search, depths, error)
         class(load_t), intent(in) :: load
         type(layers_t), intent(in) :: layers
         real(wp), intent(in) :: r(:), z(:)
-        logical, intent(in) :: below, is_grid
+        logical, intent(in) :: below, is_grid, is_search
         !> same size as z
         type(depth_t), intent(inout) :: depths(:)
         type(error_t), allocatable, intent(inout) :: error
@@ -268,9 +268,22 @@ contains
             if (is_grid .and. layers%thickness(1) > thin*load%radius) then
                 depths(i)%less = depths(i)%less .and. depths(i)%z < shared_from*layers%thickness(1)/load%radius
             end if
-            depths(i)%last = faded*load%radius/layers%decays_to(depths(i)%z*load%radius, depths(i)%less)
+            depths(i)%last = last_wave(load, layers%decays_to(depths(i)%z*load%radius, depths(i)%less)/load%radius, is_search)
         end do
     end subroutine set_depths
+
+    !> The largest wavenumber needed [1/a]. In searches, which see many waves, fewer of a smooth load: k p_hat falls as 1/k beside
+    !> those of the contact, so that exp(-faded) is reached earlier by its logarithm.
+    pure function last_wave(load, decay, is_search) result(last)
+        class(load_t), intent(in) :: load
+        !> the state falls as exp(-k decay) [a]
+        real(wp), intent(in) :: decay
+        logical, intent(in) :: is_search
+        real(wp) :: last
+
+        last = faded/decay
+        if (is_search .and. load%edge == 0.0_wp .and. size(load%kinks) == 0) last = (faded - log(1.0_wp + last))/decay
+    end function last_wave
 
     !> The depth where what is finite at a point is taken [a].
     pure function depth_of(load, r, z) result(depth)
