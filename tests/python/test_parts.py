@@ -201,7 +201,7 @@ def test_a_stop_ends_the_parts():
 
     def one(part):
         begun.append(part)
-        contact.at_depth(np.linspace(1e-9, 4e-7, 200_000))
+        contact.at_depth(np.linspace(1e-9, 4e-7, 50_000))
         return part
 
     for _ in settings():
@@ -211,7 +211,7 @@ def test_a_stop_ends_the_parts():
             pytest.raises(mdr.errors.CancelledError, match="stopped by its caller"),
             Progress(stop=lambda count=count: count.append(0) or bool(begun)).listened(),
         ):
-            share(one, range(100))
+            share(one, range(30))
         assert len(begun) < 20
 
 
@@ -272,3 +272,25 @@ def test_commands_use_all_cores_and_leave_the_setting(monkeypatch, capsys):
     mdr.set_threads(3)
     assert main(["fit", str(FITS / "csm_on_oxide.csv"), "--problem", str(FITS / "csm_on_oxide.toml")]) == 0
     assert seen == [6] and team() == 3
+
+
+def test_a_stop_ends_simulated_intervals(monkeypatch):
+    """Within the trials, not after them."""
+    file = mdi.load_fit_file(FITS / "gel_in_time.toml")
+    data = file.read_data(FITS / "gel_in_time.csv")[0]
+    phases, trials, answer = [], [], fitting.problem.Problem.answer
+
+    def counted(self):
+        trials.append(self)
+        return answer(self)
+
+    def step(_done, _total, what):
+        phases.append(what)
+        trials.clear()
+
+    monkeypatch.setattr(fitting.problem.Problem, "answer", counted)
+    monkeypatch.setenv("OMP_NUM_THREADS", "2")
+    stop = Progress(step, stop=lambda: "intervals" in phases and len(trials) > 2)
+    with pytest.raises(mdr.errors.CancelledError, match="stopped by its caller"):
+        studies.fit(file, data, interval="monte-carlo", progress=stop)
+    assert phases[-1] == "intervals" and len(trials) < 150
