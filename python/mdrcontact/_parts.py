@@ -77,8 +77,8 @@ def _share(work: Callable[[T], R], tasks: list[T], count: int, done: Callable[[i
         except RuntimeError as refusal:
             raise _RefusedError from refusal
         for future in futures:
-            while not wait((future,), _LOOK).done:
-                if is_stopped():
+            while not future.done():
+                if not wait((future,), _LOOK).done and is_stopped():
                     raise CancelledError("the work was stopped by its caller")
             result, problem, found = future.result()
             warn_all(found)
