@@ -20,6 +20,12 @@ def ranged(tip, medium, stress):
     return mdr.Contact(tip, medium, work_of_adhesion=WORK, cohesive_stress=stress)
 
 
+@pytest.fixture(scope="module")
+def on_graded():
+    """One contact for several tests: a second of work."""
+    return ranged(PARABOLOID, graded(4.0), 1.0)
+
+
 def stack(ratio, count):
     """The same in homogeneous layers that thin towards the surface."""
     ends = np.sinh(8.0 * np.arange(count + 1) / count) / np.sinh(8.0)
@@ -84,16 +90,15 @@ def test_tolerance_is_met():
             assert state.zone_radius - radius == pytest.approx(expected.zone_radius - radius, rel=3e-8)
 
 
-def test_branch_begins_without_contact():
+def test_branch_begins_without_contact(on_graded):
     """Smoothly: noise of 1e-12 in d(a) made a fold of its own at the touch, with a jump of nothing."""
-    contact = ranged(PARABOLOID, graded(4.0), 1.0)
-    touch = contact.at_radius(0.0)
-    soon = contact.at_radius(10.0 ** np.arange(-12.0, -2.0))
+    touch = on_graded.at_radius(0.0)
+    soon = on_graded.at_radius(10.0 ** np.arange(-12.0, -2.0))
     assert soon.depth[:4] == pytest.approx(touch.depth, rel=1e-14)
     assert soon.force[:4] == pytest.approx(touch.force, rel=1e-13)
     rise = (soon.depth - touch.depth)[5:] / soon.radius[5:] ** 2
     assert rise[1:] == pytest.approx(rise[-1], rel=0.03)
-    assert contact.pull_off("depth").others == ()
+    assert on_graded.pull_off("depth").others == ()
 
 
 @pytest.mark.slow
@@ -104,17 +109,16 @@ def test_bodies_in_either_order():
     assert one.force == pytest.approx(two.force, rel=1e-8)
 
 
-def test_law_and_pull_off():
-    contact = ranged(PARABOLOID, graded(4.0), 1.0)
-    law = mdr.ContactLaw(contact, 0.3, tolerance=1e-7)
+def test_law_and_pull_off(on_graded):
+    law = mdr.ContactLaw(on_graded, 0.3, tolerance=1e-7)
     for depth in (-0.1, 0.02, 0.25):
-        assert law.at_depth(depth).force == pytest.approx(contact.at_depth(depth).force, abs=2e-7)
-    end = contact.pull_off("force")
-    assert contact.at_radius(1.01 * end.radius).force > end.force < contact.at_radius(0.99 * end.radius).force
+        assert law.at_depth(depth).force == pytest.approx(on_graded.at_depth(depth).force, abs=2e-7)
+    end = on_graded.pull_off("force")
+    assert on_graded.at_radius(1.01 * end.radius).force > end.force < on_graded.at_radius(0.99 * end.radius).force
 
 
-def test_fields_are_refused():
-    state = ranged(PARABOLOID, graded(4.0), 1.0).at_radius(0.3)
+def test_fields_are_refused(on_graded):
+    state = on_graded.at_radius(0.3)
     for field in (lambda: state.pressure([0.1]), lambda: state.displacement([0.5]), state.energy):
         with pytest.raises(mdr.errors.InvalidArgumentError, match="not available on a graded body with a cohesive_stress"):
             field()

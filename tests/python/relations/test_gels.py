@@ -22,7 +22,6 @@ def punch(nu, G=1.0, D=1.0, a=1.0):
 
 
 @relation(40, nu=ratios, drainage=drainages, G=moduli, D=diffusivities, a=radii, tau=d.between(1e-8, 1e7))
-@pytest.mark.slow
 def test_one_curve_for_all_units(nu, drainage, G, D, a, tau):
     """The answers against those of G = D = a = 1 at D t/a^2."""
     own, unit, t = punch(nu, G, D, a), punch(nu), tau * a**2 / D

@@ -4,7 +4,6 @@
 import math
 
 import numpy as np
-import pytest
 from hypothesis import assume
 from hypothesis import strategies as st
 
@@ -308,8 +307,7 @@ graded = st.builds(
 """Contrasts to 100."""
 
 
-@relation(3, tip=d.endless_tips, medium=graded, share=d.shares, may_refuse=0.2)
-@pytest.mark.slow
+@relation(2, tip=d.endless_tips, medium=graded, share=d.shares, may_refuse=0.2)
 def test_surface_of_graded_bodies(tip, medium, share):
     """u_z(0, 0) against d, u_z on the surface against the displacement, s_zz against -p."""
     contact, state, mean = state_of(tip, medium, share)
@@ -334,7 +332,6 @@ def test_collinear_knots_inside_graded_bodies(tip, medium, depth, share):
 
 
 @relation(2, tip=d.paraboloids, medium=graded, depth=st.floats(0.2, 2.0), share=d.shares)
-@pytest.mark.slow
 def test_planes_of_graded_bodies_carry_the_force(tip, medium, depth, share):
     """-2 pi int s_zz r dr at a depth of a graded body against F; far from the axis s_zz falls as r^-5."""
     contact, state, _ = state_of(tip, medium, share)

@@ -34,7 +34,6 @@ def rounding(mode):
 
 
 @relation(2, mode=modes, material=constant, base=d.usual, R=d.lengths, may_refuse=1.0)
-@pytest.mark.slow
 def test_histories(mode, material, base, R):
     """A marched history in another rounding mode against that in rounding to nearest."""
     contact = mdr.Contact(mdr.Paraboloid(R), mdr.Coated(material, 0.2, base))
