@@ -2,6 +2,7 @@
 """Which room of python/mdrcontact may import which, and where its public names stand."""
 
 import ast
+import functools
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -40,8 +41,13 @@ def room(parts: tuple[str, ...]) -> str:
     return parts[0] if parts and parts[0] in (*ORDER, *BESIDE) else "contact"
 
 
-def imports(package: Path) -> Iterator[tuple[str, str, bool]]:
+@functools.cache
+def imports(package: Path) -> frozenset[tuple[str, str, bool]]:
     """File, imported room, and whether it is imported when the file is."""
+    return frozenset(_imports(package))
+
+
+def _imports(package: Path) -> Iterator[tuple[str, str, bool]]:
     for path in package.rglob("*.py"):
         file = path.relative_to(package)
         tree = ast.parse(path.read_text(encoding="utf-8"))
@@ -76,7 +82,7 @@ def is_allowed(file: str, used: str, at_once: bool) -> bool:
 
 
 def test_rooms_import_only_those_before_them():
-    found = set(imports(PACKAGE))
+    found = imports(PACKAGE)
     assert {(own, used) for own, used, _ in found if own == "instruments/files/fit_file.py"} >= {
         ("instruments/files/fit_file.py", "problem"),
         ("instruments/files/fit_file.py", "contact"),
@@ -85,7 +91,7 @@ def test_rooms_import_only_those_before_them():
 
 
 def test_every_exception_is_needed():
-    found = set(imports(PACKAGE))
+    found = imports(PACKAGE)
     assert {(file, used, False) for file, used in LATE} <= found
     assert {(file, used) for file, rooms in ENTRIES.items() for used in rooms} <= {(file, used) for file, used, _ in found}
 
