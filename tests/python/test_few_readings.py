@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import functools
 import sys
 from pathlib import Path
 
@@ -29,9 +30,15 @@ def noisy(readings, seed, noise, medium=FILM):
     return radius, np.asarray(medium.modulus(radius)) * (1.0 + noise * np.random.default_rng(seed).standard_normal(readings))
 
 
-def lengths(readings, draws=200):
+@functools.cache
+def fits(readings, free):
+    """Fits of 200 draws of noise."""
+    return [fit(*noisy(readings, seed, 0.01), FILM, free) for seed in range(200)]
+
+
+def lengths(readings):
     """Mean half length of intervals over 1.96 standard deviations of the estimates, and how often they hold the truth."""
-    found = [fit(*noisy(readings, seed, 0.01), FILM) for seed in range(draws)]
+    found = fits(readings, ("coating.E",))
     ends = np.array([one.interval("coating.E") for one in found])
     spread = np.std([one.estimates["coating.E"] for one in found])
     return np.mean(0.5 * np.ptp(ends, axis=1)) / (1.96 * spread), np.mean((ends[:, 0] < OXIDE.E) & (ends[:, 1] > OXIDE.E))
@@ -57,7 +64,7 @@ def test_three_intervals_of_eight_readings_agree():
 @pytest.mark.parametrize("free", [("coating.E",), ("coating.E", "thickness")])
 def test_patterns_are_as_rare_as_they_say(readings, free):
     """Probabilities of right models are uniform: Kolmogorov's test of 200 of them fails once in ten thousand."""
-    found = [fit(*noisy(readings, seed, 0.01), FILM, free).pattern_probability for seed in range(200)]
+    found = [one.pattern_probability for one in fits(readings, free)]
     assert stats.kstest(found, "uniform").pvalue > 1e-4
 
 
