@@ -10,7 +10,7 @@ from . import draws as d
 from .harness import near, relation
 from .test_interior import faces, state_of
 
-SAMPLES = 60
+SAMPLES = 30
 """Radii and depths, each way of spreading them."""
 WITHOUT_SINGULARITY = 1e-8
 """By how much a sample may exceed a maximum, of the largest von Mises stress."""
