@@ -19,6 +19,8 @@ module mdrcontact_batch
     type, abstract :: batch_t
         !> entries of some nanoseconds: the cancel function is not called
         logical :: is_quick = .false.
+        !> entries of some microseconds, also in arrays of some hundred
+        logical :: is_short = .false.
     contains
         procedure(entries), deferred :: work
     end type batch_t
@@ -71,9 +73,11 @@ module mdrcontact_batch
     integer, parameter :: map_block = 2048, map_smallest = 16384
     !> More threads gain nothing, and where the system cannot start them the OpenMP runtime ends the program.
     !$ integer, parameter :: most_per_processor = 4
-    !> Where the caller leaves the number of threads to the library: seconds of rest from which several pay, and seconds of work
-    !> from which the rest is estimated. OpenMP's threads spin for some hundredths of a second when they have nothing to do.
-    real(wp), parameter :: least_rest = 0.3_wp, least_seen = 0.01_wp
+    !> Seconds of rest from which several threads pay: where the caller leaves their number to OpenMP, and for short entries.
+    !> Threads of OpenMP spin for some hundredths of a second when they have nothing to do.
+    real(wp), parameter :: long_rest = 0.3_wp, short_rest = 1.0e-2_wp
+    !> The rest is estimated from work of this part of it.
+    real(wp), parameter :: seen = 0.03_wp
 
 contains
 
@@ -96,7 +100,9 @@ contains
         if (team == 1) then
             call run_alone(batch, n, block, huge(1.0_wp), done, error)
         else if (threads == 0 .and. .not. batch%is_quick) then
-            call run_alone(batch, n, block, least_rest, done, error)
+            call run_alone(batch, n, block, long_rest, done, error)
+        else if (batch%is_short) then
+            call run_alone(batch, n, block, short_rest, done, error)
         end if
         if (allocated(error) .or. done == blocks) return
         failed = blocks + 1
@@ -126,11 +132,13 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer(int64) :: began, now, rate
         integer :: blocks
-        real(wp) :: seconds
+        real(wp) :: seconds, before, longest
 
         blocks = (n - 1)/block + 1
         if (most_rest < huge(1.0_wp)) call system_clock(began, rate)
         done = 0
+        seconds = 0.0_wp
+        longest = 0.0_wp
         do while (done < blocks)
             done = done + 1
             call batch%work((done - 1)*block + 1, last_of(done, block, n), error)
@@ -138,8 +146,12 @@ contains
             if (allocated(error)) return
             if (.not. most_rest < huge(1.0_wp)) cycle
             call system_clock(now)
+            before = seconds
             seconds = real(now - began, wp)/real(rate, wp)
-            if (seconds > least_seen .and. seconds*(blocks - done) > most_rest*done) return
+            ! the system may have interrupted the longest block
+            longest = max(longest, seconds - before)
+            if (seconds < seen*most_rest .or. done == 1) cycle
+            if ((seconds - longest)*(blocks - done) > most_rest*(done - 1)) return
         end do
     end subroutine run_alone
 

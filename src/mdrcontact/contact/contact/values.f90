@@ -146,7 +146,7 @@ contains
         batch%positions => positions
         batch%values => values
         batch%stride = min(team_size(size(positions), field_smallest, wanted), max(size(positions), 1))
-        call run_batch(batch, batch%stride, 1, 2, wanted, error)
+        call run_batch(batch, batch%stride, 1, 2, batch%stride, error)
         if (.not. allocated(error) .or. batch%stride == 1) return
         ! Only an evaluation in order finds the first position that fails.
         batch%stride = 1

@@ -230,6 +230,7 @@ contains
         real(wp), allocatable :: last(:)
         integer :: first, waves, stat
 
+        grid%is_short = .true.
         allocate (grid%parts, source=parts)
         grid%depths => depths
         grid%r => r

@@ -314,6 +314,7 @@ contains
         if (stat == 0 .and. .not. allocated(points%order)) allocate (points%order(n), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
+        points%is_short = .true.
         do i = 1, size(along_surface)
             call points%states%turn(along_surface(i), points%depths, error)
             if (allocated(error)) return
