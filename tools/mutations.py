@@ -508,5 +508,13 @@ MUTATIONS = [
      "relations/test_critical.py"),
     ("contact/inside/largest.f90", "falls >= before/most_fall", "falls >= 0.0_wp", "test_critical"),
     ("base/numerics/bessel.f90", "number = 2", "number = 1", "test_bessel"),
+    ("python:_parts.py", "for future in futures:", "for future in futures[::-1]:", "test_parts.py"),
+    ("python:_parts.py", ".done and is_stopped():", ".done and False:", "test_parts.py"),
+    ("python:_parts.py", "warn_all(found)", "found.clear()", "test_parts.py"),
+    ("python:threads.py", "_NOW.threads = threads", "pass", "test_parts.py"),
+    ("python:threads.py", "set_threads(before)", "set_threads(1)", "test_parts.py"),
+    ("base/batch.f90", "i = done + 1, blocks", "i = done + 2, blocks", "test_batches"),
+    ("base/batch.f90", "(seconds - longest)*(blocks - done) > most_rest*(done - 1)", ".true.", "test_batches"),
+    ("extensions/poroelastic/table.f90", "        largest = misfit\n", "", "poroelastic"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""
