@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a person waits for, against an earlier build: CPU seconds, their ratio, and how much the results differ.
+"""What a person waits for, against an earlier build: CPU seconds, their ratio, wall seconds, and how much the results differ.
 
     tools/speed.sh keep build/before                        # before a change
     python benchmarks/waits.py build/before [ROW ...]       # after it; rows whose names contain one of the words
@@ -274,6 +274,26 @@ free = ["E", "depth_offset"]
 """
 
 
+def fitted(name: str, *options: str) -> Numbers:
+    path = ROOT / "examples" / "fit" / f"{name}.csv"
+    return command("fit", str(path), "--problem", str(path.with_suffix(".toml")), *options)
+
+
+@row("command: fit of a gel under each drainage")
+def _each_drainage() -> Numbers:
+    return fitted("punch_on_hydrogel", "--compare")
+
+
+@row("command: profile intervals, viscoelastic fit")
+def _profile() -> Numbers:
+    return fitted("gel_in_time", "--interval", "profile")
+
+
+@row("command: validate")
+def _validate() -> Numbers:
+    return command("validate")
+
+
 @row("command: fits of a folder of 200 curves")
 def _folder() -> Numbers:
     depth, random = np.linspace(1.0, 100.0, 120), np.random.default_rng(0)
@@ -536,7 +556,8 @@ def main() -> None:
     present = str(ROOT / "python")
     words = [word for word in [arguments.before, *arguments.words] if word] if arguments.threads else arguments.words
     sides = ("of one thread", "nothing set") if arguments.threads else ("before", "now")
-    print(f"| what | CPU seconds {sides[0]} | {sides[1]} | ratio | difference of the results |\n|---|---|---|---|---|")
+    titles = f"CPU seconds {sides[0]} | {sides[1]} | ratio | wall seconds {sides[0]} | {sides[1]} | difference of the results"
+    print(f"| what | {titles} |\n|---|---|---|---|---|---|---|")
     for name in ROWS:
         if words and not any(word in name for word in words):
             continue
@@ -548,9 +569,10 @@ def main() -> None:
             else:
                 old.append(measure(name, arguments.before, one_thread=is_set))
                 new.append(measure(name, present, one_thread=is_set))
-        least = [min(cpu for cpu, _, _ in side) for side in (old, new)]
+        least, walls = ([min(times[i] for times in side) for side in (old, new)] for i in (0, 1))
         differs = difference(old[0][2], new[0][2])
-        print(f"| {name} | {least[0]:.3g} | {least[1]:.3g} | {least[1] / least[0]:.3f} | {differs} |", flush=True)
+        cells = [*(f"{cpu:.3g}" for cpu in least), f"{least[1] / least[0]:.3f}", *(f"{wall:.3g}" for wall in walls)]
+        print("|", " | ".join([name, *cells, differs]), "|", flush=True)
 
 
 if __name__ == "__main__":
