@@ -21,8 +21,8 @@ module mdrcontact_numerics_bessel
         private
         !> (-1/4)^i/(i! (i + n)!) of J_n: (i, n)
         real(wp) :: power(0:terms, 0:2) = 0.0_wp
-        !> J0 and J1 about x = place/in_unit: (power, place)
-        real(wp) :: even(0:degree, first_place:last_place) = 0.0_wp, odd(0:degree - 1, first_place:last_place) = 0.0_wp
+        !> J0 and J1 about x = place/in_unit: (power, place); 18 kB, not for the stack
+        real(wp), allocatable :: even(:, :), odd(:, :)
         !> P and Q of J0, and those of J1, in powers of 1/x^2
         real(wp), dimension(0:far_terms) :: p0 = 0.0_wp, q0 = 0.0_wp, p1 = 0.0_wp, q1 = 0.0_wp
     contains
@@ -37,6 +37,7 @@ contains
         real(wp) :: x, c(0:degree)
         integer :: place, n
 
+        allocate (self%even(0:degree, first_place:last_place), self%odd(0:degree - 1, first_place:last_place))
         do place = first_place, last_place
             x = real(place, wp)/real(in_unit, wp)
             c(0) = gsl_sf_bessel_j0(x)
