@@ -287,6 +287,19 @@ def test_everything_of_a_contact():
     assert abs(full) > abs(state.interior(0.2, 0.4).s_zz) > 0.0
 
 
+@pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
+@pytest.mark.parametrize("pressure", PRESSURES.values(), ids=PRESSURES)
+def test_fields_of_a_filled_imprint(body, pressure):
+    """A line load that ends like a root: s_zz on the surface is the pressure itself, and near the axis it goes with r^2."""
+    uniform, hertz = pressure
+    state = Imprint.from_two_terms(body, A, uniform, hertz).contact().at_radius(A)
+    r = A * np.array([0.0, 1e-4, 0.3, 0.7, 0.95])
+    assert -state.interior(r, 0.0 * r).s_zz == pytest.approx(uniform + hertz * np.sqrt(1.0 - (r / A) ** 2), rel=2e-11)
+    axis = state.interior(A * np.array([0.0, 1e-4, 1e-3]), np.full(3, 0.3 * A)).s_zz
+    near, far = np.abs(axis[1:] / axis[0] - 1.0)
+    assert near == pytest.approx(0.01 * far, rel=1e-3)
+
+
 def of_elements(count, uniform, hertz):
     """Radii of nodes up to A, and the mean pressure of two terms between the middles of the elements, as reactions give it."""
     r = np.linspace(0.0, 1.0, count + 1)

@@ -46,6 +46,8 @@ module mdrcontact_inside_half_space
         real(wp) :: low = 0.0_wp, high = 0.0_wp
         !> the last kink up to its beginning and the one before; far away if it does not exist
         real(wp) :: kink = -0.5_wp*huge(1.0_wp), kink_before = -0.5_wp*huge(1.0_wp)
+        !> whether q' is infinite at its end
+        logical :: steep_end = .false.
         !> from where distances are given to the load, that kink or the axis [length], and relative to r
         real(wp) :: start = 0.0_wp, origin = 0.0_wp
         !> panels of the rule: the one where the next panel begins, and the last one before the end
@@ -138,7 +140,7 @@ contains
                 length = segment%high - low
                 call enter_panel(rule, segment, low)
                 do while (length > shortest)
-                    if (length <= reach(segment, z*half_space%decay, z*half_space%turn, low, low + length)) then
+                    if (length <= reach(segment, z*half_space%decay, z*half_space%turn, low, length)) then
                         if (is_smooth(rule, segment, z, low, length)) exit
                     end if
                     length = 0.5_wp*length
@@ -176,6 +178,7 @@ contains
         if (passed > 0) segment%start = load%kinks(passed)
         segment%origin = (segment%start - r)/load%radius
         segment%last = nearest(to - segment%start, -1.0_wp)
+        segment%steep_end = load%has_steep_edge .and. to >= load%radius
         if (passed > 0) segment%kink = segment%origin
         if (passed > 1) segment%kink_before = (load%kinks(passed - 1) - r)/load%radius
         segment%first_panel = rule%first(passed)
@@ -211,7 +214,7 @@ contains
         is = .true.
         if (segment%first_panel > segment%last_panel) return
         ! s^2 at one end doubles the degree
-        degree = merge(2.0_wp, 1.0_wp, low <= segment%kink .or. &
+        degree = merge(2.0_wp, 1.0_wp, low <= segment%kink .or. at_steep_end(segment, low, length) .or. &
                        (z <= 0.0_wp .and. (low == 0.0_wp .or. low + length == 0.0_wp)))
         do i = segment%first_panel, segment%last_panel
             is = degree*length <= rule%longest(i)
@@ -219,14 +222,25 @@ contains
         end do
     end function is_smooth
 
-    !> Largest length of a panel from `low` to `high`: its distance to the nearest singularity.
-    pure function reach(segment, z, aside, low, high) result(length)
+    !> Whether a panel ends where q' is infinite.
+    pure function at_steep_end(segment, low, length) result(answer)
+        type(segment_t), intent(in) :: segment
+        real(wp), intent(in) :: low, length
+        logical :: answer
+
+        answer = segment%steep_end .and. low + length >= segment%high
+    end function at_steep_end
+
+    !> Largest length of a panel, `whole` at first: its distance to the nearest singularity.
+    pure function reach(segment, z, aside, low, whole) result(length)
         type(segment_t), intent(in) :: segment
         !> distance of singularities from the real axis, and at most from r along it, and ends of the panel relative to r [a]
-        real(wp), intent(in) :: z, aside, low, high
+        real(wp), intent(in) :: z, aside, low, whole
         real(wp) :: length
+        real(wp) :: high
         logical :: at_kink, at_r, ends_at_r
 
+        high = low + whole
         at_kink = low <= segment%kink
         at_r = z <= 0.0_wp .and. (low == 0.0_wp .or. high == 0.0_wp)
         ends_at_r = at_r .and. low < 0.0_wp
@@ -238,7 +252,7 @@ contains
             if (segment%r <= 0.0_wp) length = huge(1.0_wp)
         end if
         ! s^2 at one end brings singularities elsewhere nearer
-        if (at_kink) length = length/3.0_wp
+        if (at_kink .or. at_steep_end(segment, low, whole)) length = length/3.0_wp
         if (at_kink) then
             ! equal intervals stay whole in spite of rounding
             length = min(length, 1.5_wp*(low - segment%kink_before))
@@ -250,10 +264,12 @@ contains
             length = min(length, merge(first_at_apex, first_beside_axis*min(1.0_wp, hypot(segment%r, z)), &
                                        segment%r <= 0.0_wp .and. z <= 0.0_wp))
         end if
+        ! s^2 at both ends is not possible, unless r is the edge
+        if (at_steep_end(segment, low, whole) .and. high > 0.0_wp .and. (at_kink .or. at_r)) length = 0.0_wp
     end function reach
 
-    !> Nodes and weights of a panel relative to r and their distances from the segment's `start`; s^2 instead of s next to a kink,
-    !> and next to r where the point is on the surface.
+    !> Nodes and weights of a panel relative to r and their distances from the segment's `start`; s^2 instead of s next to a kink or
+    !> a steep edge, and next to r where the point is on the surface.
     pure subroutine place_nodes(rule, load, segment, low, length, on_surface, t, distance, weight)
         type(half_space_rule_t), intent(in) :: rule
         class(load_t), intent(in) :: load
@@ -267,6 +283,9 @@ contains
             weight = 2.0_wp*length*rule%weight*rule%node
         else if (on_surface .and. low + length == 0.0_wp) then
             t = low*rule%node**2
+            weight = 2.0_wp*length*rule%weight*rule%node
+        else if (at_steep_end(segment, low, length)) then
+            t = low + length*(1.0_wp - rule%node**2)
             weight = 2.0_wp*length*rule%weight*rule%node
         else
             t = low + length*rule%node

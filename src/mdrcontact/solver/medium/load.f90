@@ -36,6 +36,8 @@ module mdrcontact_medium_load
         real(wp) :: start = 0.0_wp, low = 0.0_wp, length = 0.0_wp
         !> q' goes with the root of the distance from start
         logical :: beside_kink = .false.
+        !> the same before the edge of the contact
+        logical :: before_edge = .false.
         !> a polynomial of a low degree follows q'
         logical :: is_easy = .false.
         !> its end, from start too: sums of lengths would drift from it
@@ -62,6 +64,8 @@ module mdrcontact_medium_load
         !> positions in [0, a) where q is not analytic to the right, ascending; q' may be infinite there as (x - b)^(-1/2); not
         !> allocated before find_kinks
         real(wp), allocatable :: kinks(:)
+        !> whether q' is infinite at a as (a - x)^(-1/2): of an imprint that is filled; not known before find_kinks
+        logical :: has_steep_edge = .false.
     contains
         !> q(x) [modulus length], 0 <= x <= a
         procedure(field_at), deferred :: line_load
@@ -183,7 +187,9 @@ contains
         call self%add_breaks(breaks, error)
         if (allocated(error)) return
         call merge_breaks(self%kinks, breaks(:count(breaks < self%radius)), error)
-        if (.not. allocated(error)) call self%mark_axis()
+        if (allocated(error)) return
+        call self%mark_axis()
+        self%has_steep_edge = any(abs(self%slope(0.0_wp, [self%radius])) > huge(1.0_wp))
     end subroutine find_kinks
 
     !> int_0^a q^2 dx [modulus^2 length^3], with q(x) = q(a) - int_x^a q' dx.
@@ -271,6 +277,7 @@ contains
         panel%beside_kink = kink > 0
         panel%length = self%radius - panel%start
         if (kink < size(self%kinks)) panel%length = self%kinks(kink + 1) - panel%start
+        panel%before_edge = self%has_steep_edge .and. kink == size(self%kinks)
         panel%high = panel%length
     end function whole_segment
 
@@ -281,6 +288,7 @@ contains
         half = panel
         half%high = panel%low + 0.5_wp*panel%length
         half%length = half%high - panel%low
+        half%before_edge = .false.
         half%misfit_before = panel%misfit
     end function lower_half
 
@@ -343,7 +351,8 @@ contains
         integer :: n, i
 
         fits = .false.
-        if (panel%beside_kink .and. panel%length > first) return
+        if ((panel%beside_kink .or. panel%before_edge) .and. panel%length > first) return
+        if (panel%beside_kink .and. panel%before_edge) return
         t(:nodes) = node
         t(nodes + 1:nodes + size(between)) = between
         n = nodes + size(between)
@@ -354,6 +363,8 @@ contains
         ! q' dx/dt over the length
         if (panel%beside_kink) then
             values(:n) = 2.0_wp*t(:n)*self%slope(panel%start, panel%low + panel%length*t(:n)**2)
+        else if (panel%before_edge) then
+            values(:n) = 2.0_wp*(1.0_wp - t(:n))*self%slope(panel%start, panel%high - panel%length*(1.0_wp - t(:n))**2)
         else
             values(:n) = self%slope(panel%start, panel%low + panel%length*t(:n))
         end if
@@ -383,6 +394,9 @@ contains
         if (self%beside_kink) then
             distance = self%low + self%length*node**2
             dx = 2.0_wp*self%length*node*weight
+        else if (self%before_edge) then
+            distance = self%high - self%length*(1.0_wp - node)**2
+            dx = 2.0_wp*self%length*(1.0_wp - node)*weight
         else
             distance = self%low + self%length*node
             dx = self%length*weight
