@@ -30,6 +30,8 @@ module mdrcontact_medium_load
     !> `step` times as close as the one before.
     real(wp), parameter :: between(3) = [0.0025_wp, 0.5_wp, 0.9975_wp], step = 0.25_wp
     integer, parameter :: closer = 20
+    !> Distance from the edge at which q' is compared with a root [a].
+    real(wp), parameter :: beside_edge = 1.0e-8_wp
 
     !> The positions start + low to start + low + length, with start the axis or the last kink.
     type :: panel_t
@@ -189,8 +191,16 @@ contains
         call merge_breaks(self%kinks, breaks(:count(breaks < self%radius)), error)
         if (allocated(error)) return
         call self%mark_axis()
-        self%has_steep_edge = any(abs(self%slope(0.0_wp, [self%radius])) > huge(1.0_wp))
+        self%has_steep_edge = is_steep(self%slope(0.0_wp, self%radius*(1.0_wp - [4.0_wp, 1.0_wp, 0.0_wp]*beside_edge)))
     end subroutine find_kinks
+
+    !> Whether q' at four times a distance from the edge, at the distance and at the edge is that of a root.
+    pure function is_steep(slopes) result(answer)
+        real(wp), intent(in) :: slopes(3)
+        logical :: answer
+
+        answer = abs(slopes(3)) > huge(1.0_wp) .and. abs(slopes(2) - 2.0_wp*slopes(1)) <= 0.01_wp*abs(slopes(2))
+    end function is_steep
 
     !> int_0^a q^2 dx [modulus^2 length^3], with q(x) = q(a) - int_x^a q' dx.
     function square_integral(self, error) result(total)
