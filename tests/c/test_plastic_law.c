@@ -140,6 +140,7 @@ static void test_inline(double gamma)
     if (facts.memory_size == 2) {
         const double much[2] = {0.0, 1.6e155}, d = 0.5 * facts.largest_depth;
         CHECK_INT(mdr_plastic_law_energies(law, 1, &d, much, &stored, &lost), MDR_EINVALID);
+        CHECK_INT(mdr_plastic_view_energies(&view, d, much, &stored, &lost), MDR_EINVALID);
     }
     ours[0] = 1.0;
     CHECK_INT(mdr_plastic_view_advance(&view, 0.0, ours, &F, &slope), MDR_EINVALID);
