@@ -113,7 +113,7 @@
  * threads and cancel functions, and returns MDR_EINVALID for handles of another copy.
  *
  * A call needs up to 56 kB of stack in the calling thread, in addition to the stack of user functions; up to 96 kB if flang
- * compiled the library. 128 kB, the default of threads under musl, suffice; with gfortran also if the BLAS keeps per-thread data
+ * 22 compiled the library. 128 kB, the default of threads under musl, suffice; with gfortran also if the BLAS keeps per-thread data
  * on the stack (OpenBLAS: 60 kB).
  */
 #ifndef MDRCONTACT_H
