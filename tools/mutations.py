@@ -300,7 +300,7 @@ MUTATIONS = [
     ("extensions/fit/least_squares.f90", "< at_bound*difference_step", "< -1.0_wp", "test_calibration.py"),
     ("solver/line/zone_rule.f90", "longest_plain = 4.0_wp", "longest_plain = 40.0_wp", "test_cohesion"),
     ("solver/line/zone.f90", "mean = mean + 2.0_wp*shift/(pi", "mean = mean + shift/(pi", "test_cohesion"),
-    ("solver/line/fine_zone.f90", "whole(2) = sum(of_zone*to_gap)", "whole(2) = 0.999_wp*sum(of_zone*to_gap)", "test_cohesion"),
+    ("solver/line/fine_zone.f90", "whole(2) = sum(of_zone*sums", "whole(2) = 0.999_wp*sum(of_zone*sums", "test_cohesion"),
     ("solver/line/fine_zone.f90", "whole(1) = -of_edge", "whole(1) = -0.99999_wp*of_edge", "test_cohesion"),
     ("solver/line/zone_effect.f90", "2.0_wp*a + here, 2.0_wp*a", "2.0_wp*a + here, a", "test_cohesion"),
     ("solver/tension/fields.f90", "self%couple*self%radius*sum(", "0.5_wp*self%couple*self%radius*sum(", "test_surfaces.py"),
@@ -517,5 +517,8 @@ MUTATIONS = [
     ("base/batch.f90", "i = done + 1, blocks", "i = done + 2, blocks", "test_batches"),
     ("base/batch.f90", "(seconds - longest)*(blocks - done) > most_rest*(done - 1)", ".true.", "test_batches"),
     ("extensions/poroelastic/table.f90", "        largest = misfit\n", "", "poroelastic"),
+    ("solver/line/zone_effect.f90", "min(kernel%unit, closest*length)", "kernel%unit", "test_cohesion"),
+    ("solver/line/zone_effect.f90", "square/ratio", "square*ratio", "test_cohesion"),
+    ("solver/line/edge_panels.f90", "merge(1.0_wp, -1.0_wp, modulo(i, 2) == 1)", "1.0_wp", "test_cohesion"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""

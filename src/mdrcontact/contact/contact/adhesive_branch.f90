@@ -166,19 +166,25 @@ contains
 
     !> The segments between the ends and extrema of the samples on which s grows; beyond the samples s continues to grow, to the end
     !> of the indenter or medium if there is one.
-    subroutine segments_between(self, equilibrium, control, turns, end_coordinate, list, error)
+    subroutine segments_between(self, equilibrium, control, turns, end_coordinate, list, error, last)
         class(adhesive_branch_t), intent(in) :: self
         type(equilibrium_t), intent(in) :: equilibrium
         type(control_t), intent(in) :: control
         real(wp), intent(in) :: turns(:), end_coordinate
         type(stable_segment_t), allocatable, intent(out) :: list(:)
         type(error_t), allocatable, intent(inout) :: error
+        !> s at the end of the samples, for a segment that continues beyond them; default: of the state there
+        real(wp), intent(in), optional :: last
         type(contact_state_t) :: state
         real(wp) :: s(size(turns))
         integer :: i, n
 
         n = size(turns)
         do i = 1, n
+            if (i == n .and. present(last) .and. end_coordinate > turns(n)) then
+                s(n) = last
+                cycle
+            end if
             call self%state_at(equilibrium, turns(i), state, error)
             if (allocated(error)) return
             s(i) = control%of(state%depth, state%force)
@@ -186,10 +192,10 @@ contains
         list = [(stable_segment_t(turns(i), turns(i + 1), s(i), s(i + 1)), i=1, n - 1)]
         list = pack(list, list%highest > list%lowest)
         if (size(list) == 0) return
-        associate (last => list(size(list)))
-            if (last%last < turns(n) .or. end_coordinate <= turns(n)) return
-            last%last = end_coordinate
-            last%highest = huge(1.0_wp)
+        associate (end => list(size(list)))
+            if (end%last < turns(n) .or. end_coordinate <= turns(n)) return
+            end%last = end_coordinate
+            end%highest = huge(1.0_wp)
         end associate
     end subroutine segments_between
 

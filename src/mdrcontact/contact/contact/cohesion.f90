@@ -27,6 +27,8 @@ module mdrcontact_contact_cohesion
         real(wp) :: likely_zone = 0.0_wp
         !> radius of the zone at which attracted bodies touch [length]
         real(wp) :: touching_zone = 0.0_wp
+        !> radii at which elasticity equals JKR adhesion and at which that is over [length]: of add_cohesion
+        real(wp) :: handover_radius = 0.0_wp, over_radius = 0.0_wp
         !> no zone ends beyond this radius [length]
         real(wp) :: last_radius = 0.0_wp
         !> E0* [modulus], and relative tolerance
@@ -46,8 +48,10 @@ module mdrcontact_contact_cohesion
         real(wp) :: depth_rate = 0.0_wp, force_rate = 0.0_wp
         !> the slopes are good to some digits: a guess that is nearly right is mended by them
         logical :: is_close = .false.
-        !> unknowns that the springs took, where the body's constants vary with depth
-        integer :: unknowns = 0
+        !> how many unknowns the springs take (see `unknowns_for`), where the body's constants vary with depth; 0: not known
+        real(wp) :: unknowns = 0.0_wp
+        !> relative accuracy that is enough, or better that of the medium
+        real(wp) :: tolerance = 0.0_wp
     end type zone_guess_t
 
     !> ln of h(c) over the range, as a function of ln l, l the length of the zone.
@@ -65,8 +69,9 @@ module mdrcontact_contact_cohesion
     real(wp), parameter :: close_enough = 1.0e-13_wp, widest_step = 1.5_wp
     !> Slopes are taken from steps longer than this, and trusted to be right to as many digits over a step up to this.
     real(wp), parameter :: shortest_secant = 1.0e-5_wp, last_step = 1.0e-9_wp
-    !> Unknowns that a search begins with, in those of the state before it.
-    real(wp), parameter :: fewer_unknowns = 0.85_wp
+    !> The same where the body's constants vary with depth: slopes are right to as much as the step is long from which they are, and
+    !> the last step may leave so much of a state.
+    real(wp), parameter :: shortest_fine_secant = 1.0e-7_wp, negligible_step = 1.0e-12_wp
     !> Where c - a of a state has lost its digits [a].
     real(wp), parameter :: shortest_length = 1.0e-9_wp
     !> The opening next to the contact may be below 0 by so much of the range: rounding.
@@ -173,15 +178,15 @@ contains
         type(zone_state_t) :: zone
         logical :: met
 
-        ! neighbours take nearly as many
-        guess%unknowns = nint(fewer_unknowns*guess%unknowns)
         do
-            call new_zoned_springs(springs, self%kernel, self%tolerance, profile, radius, error, least=guess%unknowns)
+            call new_zoned_springs(springs, self%kernel, max(self%tolerance, guess%tolerance), profile, radius, error, &
+                                   least=guess%unknowns)
             if (.not. allocated(error)) call close_gap(self, springs, guess, zone, error)
             if (allocated(error)) return
             call springs%check_convergence(zone, met, guess%unknowns, error)
             if (allocated(error)) return
             if (met) exit
+            guess%is_close = .true.
         end do
         call check_opening(self, zone, radius, error)
         if (allocated(error)) return
@@ -204,9 +209,13 @@ contains
         type(zone_state_t), intent(out) :: zone
         type(error_t), allocatable, intent(inout) :: error
         type(zone_state_t) :: before
-        real(wp) :: x, y, step, y_before
+        real(wp) :: x, y, step, y_before, shortest, secant
+        logical :: is_fine
         integer :: i
 
+        is_fine = self%kernel%is_graded()
+        shortest = merge(shortest_fine_secant, shortest_secant, is_fine)
+        secant = huge(secant)
         x = log(min(guess%length, 0.5_wp*(self%last_radius - springs%a)))
         step = 0.0_wp
         y_before = 0.0_wp
@@ -214,17 +223,19 @@ contains
             call springs%with_zone(exp(x), 2.0_wp*self%stress/self%modulus, zone, error)
             if (allocated(error)) return
             y = log(max(zone%gap, tiny(y))/self%range)
-            if (abs(step) > shortest_secant .and. (y - y_before)/sign(max(abs(step), tiny(y)), step) > 0.2_wp) then
+            if (abs(step) > shortest .and. (y - y_before)/sign(max(abs(step), tiny(y)), step) > 0.2_wp) then
                 guess%slope = (y - y_before)/step
                 guess%depth_rate = (zone%depth - before%depth)/step
                 guess%force_rate = (zone%force - before%force)/step
+                secant = abs(step)
             end if
             if (abs(y) <= close_enough) exit
             y_before = y
             before = zone
             step = -max(-widest_step, min(widest_step, y/guess%slope))
             x = x + step
-            if (guess%is_close .and. max(abs(step), abs(y)) <= last_step) then
+            if ((guess%is_close .and. max(abs(step), abs(y)) <= last_step) .or. &
+                (is_fine .and. max(abs(step), abs(y))*min(secant + abs(step), 1.0_wp) <= negligible_step)) then
                 zone%depth = zone%depth + guess%depth_rate*step
                 zone%force = zone%force + guess%force_rate*step
                 exit

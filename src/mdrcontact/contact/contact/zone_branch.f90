@@ -8,7 +8,7 @@ module mdrcontact_contact_zone_branch
     use mdrcontact_contact_range, only: adhesive_range
     use mdrcontact_contact_samples, only: curve_point_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_contact_zone_curve, only: coordinate_of, new_zone_curve, zone_curve_t, zone_state
+    use mdrcontact_contact_zone_curve, only: coordinate_of, new_zone_curve, sample_tolerance, zone_curve_t, zone_state
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
@@ -56,7 +56,9 @@ contains
                           equilibrium%work_of_adhesion, stress, error)
         if (.not. allocated(error)) call adhesive_range(equilibrium, first, last, error, equal)
         if (allocated(error)) return
-        if (equilibrium%cohesion%small_zone > shortest_zone*equilibrium%radius_of(equal)) return
+        equilibrium%cohesion%handover_radius = equilibrium%radius_of(equal)
+        equilibrium%cohesion%over_radius = equilibrium%radius_of(last)
+        if (equilibrium%cohesion%small_zone > shortest_zone*equilibrium%cohesion%handover_radius) return
         deallocate (equilibrium%cohesion)
     end subroutine add_cohesion
 
@@ -65,13 +67,12 @@ contains
         type(zone_branch_t), intent(out) :: self
         type(equilibrium_t), intent(in), target :: equilibrium
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: first, last, equal
+        real(wp) :: last
 
-        self%range = equilibrium%cohesion%range
-        call adhesive_range(equilibrium, first, last, error, equal)
-        if (allocated(error)) return
-        call last_coordinate(equilibrium, min(equilibrium%radius_of(last), far_from_handover*equilibrium%radius_of(equal)), last, &
-                             error)
+        associate (cohesion => equilibrium%cohesion)
+            self%range = cohesion%range
+            call last_coordinate(equilibrium, min(cohesion%over_radius, far_from_handover*cohesion%handover_radius), last, error)
+        end associate
         if (.not. allocated(error)) call new_zone_curve(self%curve, equilibrium, last, error)
         if (.not. allocated(error)) call self%keep_segments(equilibrium, error)
     end subroutine new_zone_branch
@@ -84,6 +85,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(error_t), allocatable :: refused
         type(contact_state_t) :: state
+        type(zone_guess_t) :: guess
         real(wp) :: radius
         integer :: i
 
@@ -91,7 +93,9 @@ contains
         do i = 1, most_tries
             last = coordinate_of(equilibrium, radius, 0.0_wp)
             if (allocated(refused)) deallocate (refused)
-            call zone_state(equilibrium, last, state, refused)
+            guess = zone_guess_t(equilibrium%cohesion%likely_zone)
+            if (equilibrium%cohesion%kernel%is_graded()) guess%tolerance = sample_tolerance
+            call zone_state(equilibrium, last, state, refused, guess)
             if (.not. allocated(refused)) return
             radius = nearer*radius
         end do
@@ -105,11 +109,13 @@ contains
         type(stable_segment_t), allocatable, intent(out) :: list(:)
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: turns(:)
+        real(wp) :: last, unused
 
         call self%curve%extrema(control, turns, error)
         if (allocated(error)) return
+        call self%curve%control_at(control, turns(size(turns)), last, unused)
         call self%segments_between(equilibrium, control, turns, coordinate_of(equilibrium, equilibrium%last_radius, 0.0_wp), &
-                                   list, error)
+                                   list, error, last)
     end subroutine find_segments
 
     pure subroutine begin_search(self, equilibrium, control, segment, s, search)

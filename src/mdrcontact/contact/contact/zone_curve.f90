@@ -18,19 +18,31 @@ module mdrcontact_contact_zone_curve
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: zone_curve_t, new_zone_curve, zone_state, coordinate_of
+    public :: zone_curve_t, new_zone_curve, zone_state, coordinate_of, sample_tolerance
 
-    integer, parameter :: columns = 7, of_depth = 1, of_force = 2, of_stiffness = 3, of_length = 4, of_slope = 5, &
-                          of_depth_rate = 6, of_force_rate = 7
+    integer, parameter :: columns = 8, of_depth = 1, of_force = 2, of_stiffness = 3, of_length = 4, of_slope = 5, &
+                          of_depth_rate = 6, of_force_rate = 7, of_unknowns = 8
     !> Panels are this long at first, and none is halved below the second, or the third where a tolerance is given: a short zone
     !> changes fast as it passes a kink of the indenter.
     real(wp), parameter :: usual_length = 1.0_wp, shortest_length = 1.0e-4_wp, shortest_of_all = 1.0e-7_wp
     !> Relative, of the samples, where no other tolerance is given, and the noise of the states.
-    real(wp), parameter :: usual_tolerance = 1.0e-9_wp, largest_noise = 1.0e-8_wp
+    real(wp), parameter :: sample_tolerance = 1.0e-9_wp, largest_noise = 1.0e-8_wp
+    !> Where the body's constants vary with depth, as E(z) = E(0) + E'(0) z + ..., depths and forces have terms c^2 ln c from the
+    !> first attraction on and a^2 ln a from touch on: panels shrink towards both, and are longer elsewhere.
+    real(wp), parameter :: graded_length = 1.5_wp, from_attraction(*) = [1.0_wp/64, 1.0_wp/16, 1.0_wp/4], &
+                           from_touch(*) = [1.0_wp/16, 1.0_wp/4, 1.0_wp]
+    !> These edges keep so far from others.
+    real(wp), parameter :: near_break = 1.0e-2_wp
     !> A break closer to an edge than this is there.
     real(wp), parameter :: no_room = 1.0e-9_wp
 
-    !> Chebyshev series of d, F, k, ln(c - a), and the slopes of ln h, d and F over ln(c - a), on panels of x.
+    !> The next zone is extrapolated from so many of the last ones, unless it is farther from the nearest than this in ln(c - a) or
+    !> in the slope of ln h.
+    integer, parameter :: most_before = 6, most_kept = 48
+    real(wp), parameter :: farthest = 1.0_wp, slope_change = 0.2_wp
+
+    !> Chebyshev series of d, F, k, ln(c - a), the slopes of ln h, d and F over ln(c - a), and the unknowns of the springs, on
+    !> panels of x.
     type, extends(samples_t) :: zone_curve_t
         !> c_0 [length]
         real(wp), private :: touching_zone = 0.0_wp
@@ -48,6 +60,10 @@ module mdrcontact_contact_zone_curve
         type(equilibrium_t), pointer :: equilibrium => null()
         !> the zone of the last state
         type(zone_guess_t) :: guess
+        !> where the body's constants vary with depth, the last states with contact in turn: how many, x, and columns of the zone
+        logical :: is_graded = .false.
+        integer :: count = 0
+        real(wp) :: places(most_kept) = 0.0_wp, zones(of_length:of_unknowns, most_kept) = 0.0_wp
     contains
         procedure :: sample
         procedure :: radius
@@ -106,13 +122,18 @@ contains
         type(sampling_t) :: sampling
         type(zone_source_t) :: source
 
-        sampling = sampling_t(usual_tolerance, largest_noise, usual_length, shortest_length)
+        sampling = sampling_t(sample_tolerance, largest_noise, usual_length, shortest_length)
         if (present(tolerance)) then
             sampling%tolerance = tolerance
             sampling%shortest_length = shortest_of_all
         end if
+        source%is_graded = equilibrium%cohesion%kernel%is_graded()
+        if (source%is_graded) then
+            sampling%usual_length = graded_length
+            source%guess%tolerance = sampling%tolerance
+        end if
         self%touching_zone = equilibrium%cohesion%touching_zone
-        call first_edges(equilibrium, last, edges, breaks, error)
+        call first_edges(equilibrium, last, source%is_graded, edges, breaks, error)
         if (allocated(error)) return
         source%columns = columns
         ! what the zone is like is a guess only
@@ -122,6 +143,7 @@ contains
         source%is_relative = .true.
         source%equilibrium => equilibrium
         source%guess%length = equilibrium%cohesion%likely_zone
+        if (source%is_graded) breaks = [breaks, -1.0_wp, 0.0_wp]
         call new_columns(self, source, edges, breaks, sampling, error)
         if (.not. allocated(error)) call self%prepare(error)
     end subroutine new_zone_curve
@@ -137,12 +159,73 @@ contains
 
         if (present(slopes)) slopes = 0.0_wp
         values = 0.0_wp
+        if (self%is_graded .and. x > 0.0_wp .and. self%count > 0) call extrapolate(self, x)
         call zone_state(self%equilibrium, x, state, error, self%guess)
         if (allocated(error)) return
         self%solutions = self%solutions + 1
         values = [state%depth, state%force, state%stiffness, log(max(self%guess%length, tiny(1.0_wp))), self%guess%slope, &
-                  self%guess%depth_rate, self%guess%force_rate]
+                  self%guess%depth_rate, self%guess%force_rate, self%guess%unknowns]
+        if (.not. (self%is_graded .and. x > 0.0_wp)) return
+        self%count = self%count + 1
+        associate (kept => modulo(self%count - 1, most_kept) + 1)
+            self%places(kept) = x
+            self%zones(:, kept) = values(of_length:of_unknowns)
+        end associate
     end subroutine sample
+
+    !> The zone at x from the nearest of the last states: its length by the polynomial through more of them than its slopes, which
+    !> are measured to fewer digits.
+    pure subroutine extrapolate(self, x)
+        class(zone_source_t), intent(inout) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: v(of_length:of_unknowns), distance(most_kept), tolerance
+        integer :: nearest(most_before), i, n
+
+        n = min(self%count, most_before)
+        distance = abs(self%places - x)
+        distance(self%count + 1:) = huge(x)
+        do i = 1, n
+            nearest(i) = minloc(distance, dim=1)
+            distance(nearest(i)) = huge(x)
+        end do
+        v = self%zones(:, nearest(1))
+        if (n == most_before) v(of_length) = sum(weights_at(x, self%places(nearest))*self%zones(of_length, nearest))
+        if (n >= 3) then
+            do i = of_slope, of_force_rate
+                v(i) = sum(weights_at(x, self%places(nearest(:3)))*self%zones(i, nearest(:3)))
+            end do
+        end if
+        ! far from them
+        if (.not. (abs(v(of_length) - self%zones(of_length, nearest(1))) <= farthest .and. &
+                   abs(v(of_slope) - self%zones(of_slope, nearest(1))) <= slope_change)) v = self%zones(:, nearest(1))
+        tolerance = self%guess%tolerance
+        self%guess = guess_of(v)
+        self%guess%tolerance = tolerance
+        self%guess%is_close = .false.
+    end subroutine extrapolate
+
+    !> The polynomials at x that are 1 at one of some places and 0 at the others.
+    pure function weights_at(x, places) result(weights)
+        real(wp), intent(in) :: x, places(:)
+        real(wp) :: weights(size(places))
+        integer :: i, j
+
+        weights = 1.0_wp
+        do i = 1, size(places)
+            do j = 1, size(places)
+                if (j /= i) weights(i) = weights(i)*(x - places(j))/(places(i) - places(j))
+            end do
+        end do
+    end function weights_at
+
+    !> The zone of which a state has these columns.
+    pure function guess_of(v) result(guess)
+        real(wp), intent(in) :: v(of_length:)
+        type(zone_guess_t) :: guess
+
+        guess = zone_guess_t(exp(v(of_length)), v(of_slope), v(of_depth_rate), v(of_force_rate), is_close=.true., &
+                             unknowns=v(of_unknowns))
+    end function guess_of
 
     pure function radius(self, x)
         class(zone_source_t), intent(in) :: self
@@ -154,12 +237,13 @@ contains
 
     !> Edges that no panel crosses, and the breaks among them: where the contact ends at a break of the indenter, and where the
     !> zone does.
-    subroutine first_edges(equilibrium, last, edges, breaks, error)
+    subroutine first_edges(equilibrium, last, is_graded, edges, breaks, error)
         type(equilibrium_t), intent(in) :: equilibrium
         real(wp), intent(in) :: last
+        logical, intent(in) :: is_graded
         real(wp), allocatable, intent(out) :: edges(:), breaks(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: radii(:)
+        real(wp), allocatable :: radii(:), more(:)
         real(wp) :: x
         integer :: i
 
@@ -173,9 +257,13 @@ contains
             breaks = [breaks, x, coordinate_of(equilibrium, radii(i), 0.0_wp)]
         end do
         breaks = pack(breaks, breaks < last - shortest_length .and. breaks > -1.0_wp)
+        allocate (more(0))
+        if (is_graded) more = [-1.0_wp + from_attraction, from_touch]
+        more = pack(more, [(more(i) < last - near_break .and. .not. any(abs(breaks - more(i)) < near_break), i=1, size(more))])
         do while (edges(size(edges)) < last)
             x = edges(size(edges)) + no_room
-            edges = [edges, min(last, minval(breaks, mask=breaks > x), merge(0.0_wp, last, x < 0.0_wp))]
+            edges = [edges, min(last, minval(breaks, mask=breaks > x), minval(more, mask=more > x), &
+                                merge(0.0_wp, last, x < 0.0_wp))]
         end do
     end subroutine first_edges
 
@@ -216,7 +304,7 @@ contains
         real(wp) :: v(columns), dv(columns)
 
         call self%values_at(min(max(x, 0.0_wp), self%edges(size(self%edges))), v, dv)
-        guess = zone_guess_t(exp(v(of_length)), v(of_slope), v(of_depth_rate), v(of_force_rate), is_close=.true.)
+        guess = guess_of(v(of_length:))
     end function guess_at
 
     pure function point_of(self, x, v) result(point)
@@ -283,7 +371,9 @@ contains
         class(zone_curve_t), intent(in) :: self
         real(wp), allocatable :: x(:)
 
-        x = [0.0_wp, pack(self%edges(:size(self%from_root)), self%from_root)]
+        associate (edges => self%edges(:size(self%from_root)))
+            x = [0.0_wp, pack(edges, self%from_root .and. edges > edges(1) .and. abs(edges) > 0.0_wp)]
+        end associate
     end function breaks
 
 end module mdrcontact_contact_zone_curve

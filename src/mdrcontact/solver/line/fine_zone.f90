@@ -9,6 +9,7 @@
 module mdrcontact_line_fine_zone
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_line_edge_panels, only: edge_panels_t, new_edge_panels
     use mdrcontact_line_kernel, only: kernel_t
     use mdrcontact_line_legendre, only: contact_rule, edge_kernel, normalisation
     use mdrcontact_line_moments, only: edge_moment, is_smooth
@@ -26,6 +27,12 @@ module mdrcontact_line_fine_zone
     integer, parameter :: one = 1, edge = 2, of_g = 3
     !> Orders of the polynomials that the rule over the contact takes beyond those in the series: what it is multiplied with.
     integer, parameter :: more_orders = 8
+    !> What the zone does to the contact is found at so many places of panels that shrink by this factor towards the edge, down to
+    !> the unit of the kernel; through the mirror image of the zone at so many on one panel, which is as far away as it is long.
+    integer, parameter :: places_of_panel = 24, places_of_image = 20
+    real(wp), parameter :: shrinking = 0.25_wp
+    !> Sums that are taken side by side.
+    integer, parameter :: at_once = 4
 
     !> The springs at one contact radius.
     type :: fine_springs_t
@@ -45,6 +52,11 @@ module mdrcontact_line_fine_zone
         real(wp), private :: one_one = 1.0_wp, edge_one = 1.0_wp, edge_g = 0.0_wp, one_g = 0.0_wp
         !> nodes on half of the contact by their distance from the edge over a, their weights, and the polynomials times these
         real(wp), allocatable, private :: from_edge(:), weights(:), polynomials(:, :)
+        !> places next to the edge and of the mirror image, their distances from the edge and from its image [unit], and X there
+        type(edge_panels_t), private :: near, image
+        real(wp), allocatable, private :: away(:), x_away(:)
+        !> X from the nodes and their mirror images to the edge
+        real(wp), allocatable, private :: x_edge(:)
     contains
         procedure :: with_zone
     end type fine_springs_t
@@ -59,8 +71,8 @@ module mdrcontact_line_fine_zone
         real(wp) :: opening = 0.0_wp
         !> errors of d, F and that integral
         real(wp) :: errors(3) = 0.0_wp
-        !> coefficients of the load [length], and (K q)(x) - (K q)(a) of it at the nodes of the zone
-        real(wp), allocatable :: q(:), at_nodes(:)
+        !> (K q)(x) - (K q)(a) of the contact's load at the first node of the zone [length]
+        real(wp) :: at_first = 0.0_wp
     end type fine_zone_t
 
 contains
@@ -116,7 +128,7 @@ contains
         self%depth = self%equation%profile_mean + (self%equation%edge_above_mean + self%edge_g)/self%edge_one
         self%error = max(missed(1)/self%one_one, missed(2)/abs(self%edge_one))
         if (self%depth > 0.0_wp) self%error = max(self%error, missed(3)/abs(self%edge_one*self%depth))
-        call place_nodes(self, m, error)
+        call place_nodes(self, kernel, m, error)
     end subroutine new_fine_springs
 
     !> Right-hand sides times the inverse of the factor, their solutions by n unknowns, and what is left of them beyond n.
@@ -137,17 +149,20 @@ contains
     end subroutine split
 
     !> Nodes on half of the contact, closest at its edge, for m even polynomials.
-    subroutine place_nodes(self, m, error)
+    subroutine place_nodes(self, kernel, m, error)
         type(fine_springs_t), intent(inout) :: self
+        type(kernel_t), intent(in) :: kernel
         integer, intent(in) :: m
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
         real(wp) :: s(m)
-        integer :: j
+        integer :: j, stat
 
         call contact_rule(rule, self%a/self%unit, m, m + more_orders, .true., error)
         if (allocated(error)) return
-        allocate (self%polynomials(size(rule%weights), m))
+        allocate (self%polynomials(size(rule%weights), m), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         self%from_edge = 0.5_wp*rule%distance
         self%weights = 0.5_wp*rule%weights
         call weigh_even(1.0_wp - self%from_edge, self%weights, self%polynomials)
@@ -155,10 +170,31 @@ contains
         do j = 1, m
             self%polynomials(:, j) = s(j)*self%polynomials(:, j)
         end do
+        call place_panels(self, kernel)
     end subroutine place_nodes
 
+    !> Places at which the effect of a zone is found, and what the contact does to its edge.
+    subroutine place_panels(self, kernel)
+        type(fine_springs_t), intent(inout) :: self
+        type(kernel_t), intent(in) :: kernel
+        real(wp) :: image(size(self%from_edge))
+        integer :: i, panels
+
+        panels = max(ceiling(log(self%a/self%unit)/log(1.0_wp/shrinking)), 0)
+        call new_edge_panels(self%near, [0.0_wp, (shrinking**i, i=panels, 0, -1)], places_of_panel, self%from_edge)
+        call new_edge_panels(self%image, [0.0_wp, 1.0_wp], places_of_image, self%from_edge)
+        self%away = self%a/self%unit*[self%near%places, 2.0_wp - self%image%places]
+        allocate (self%x_away(size(self%away)), self%x_edge(size(self%from_edge)))
+        associate (shift => self%equation%moments%shift, a => self%a/self%unit)
+            call kernel%evaluate(self%away, shift, self%x_away)
+            call kernel%evaluate(a*self%from_edge, shift, self%x_edge)
+            call kernel%evaluate(a*(2.0_wp - self%from_edge), shift, image)
+        end associate
+        self%x_edge = self%x_edge + image
+    end subroutine place_panels
+
     !> Effect of a zone on the contact.
-    subroutine with_zone(self, kernel, rule, load, at_edge, among_edge, found, error)
+    subroutine with_zone(self, kernel, rule, load, at_edge, among_edge, found)
         class(fine_springs_t), intent(in) :: self
         type(kernel_t), intent(in) :: kernel
         type(zone_rule_t), intent(in) :: rule
@@ -167,29 +203,26 @@ contains
         !> q(a)/E0*, and what the zone itself adds to the displacement at a, X(0) left out as in the moments [length]
         real(wp), intent(in) :: at_edge, among_edge
         type(fine_zone_t), intent(out) :: found
-        type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: x(:, :), of_zone(:), to_gap(:), rhs(:, :), forward(:, :), solution(:, :), known(:, :), rest(:)
-        real(wp), allocatable :: total(:), terms(:)
+        real(wp), allocatable :: sums(:, :), rhs(:, :), forward(:, :), solution(:, :), known(:, :), rest(:)
+        real(wp), allocatable :: total(:), terms(:), of_zone(:), of_first(:)
         real(wp) :: whole(2), edge_t, one_t, gap_t, gap_one, gap_g, of_edge, missed(3)
         integer :: m
 
         m = 2*self%n
         allocate (rhs(m, 2), forward(self%n, 2), solution(m, 2), known(m, 2), total(self%n), rest(self%n), terms(self%n))
-        call between(self, kernel, rule, x, error)
-        if (allocated(error)) return
-        of_zone = matmul(x(:, 1:), load)/(pi*self%unit)
-        to_gap = self%a/(pi*self%unit)*(matmul(x(:, 1:), rule%over_root) - sum(rule%over_root)*x(:, 0))
-        rhs(:, 1) = 2.0_wp*matmul(of_zone, self%polynomials)
-        rhs(:, 2) = matmul(to_gap, self%polynomials)
+        allocate (sums(size(self%weights), 3), of_first(m))
+        call sum_over_zone(self, kernel, rule, load, sums(:, 1), sums(:, 2), sums(:, 3))
+        call project(sums, self%polynomials, rhs(:, 1), rhs(:, 2), of_first)
+        rhs(:, 1) = 2.0_wp*rhs(:, 1)
         found%mean = sqrt(0.5_wp)*rhs(1, 1)
         rhs(1, 1) = 0.0_wp
-        of_zone = self%weights*(of_zone - found%mean)
+        of_zone = self%weights*(sums(:, 1) - found%mean)
         ! of the zone's effect: at the edge, and in the gap
-        of_edge = self%a/(pi*self%unit)*sum(of_zone*x(:, 0))
+        of_edge = self%a/(pi*self%unit)*sum(of_zone*self%x_edge)
         known(:, 1) = -self%edge_kernel*rhs(:, 1)
         known(:, 2) = rhs(:, 2)*rhs(:, 1)
         whole(1) = -of_edge - sum(known(:self%n, 1))
-        whole(2) = sum(of_zone*to_gap) - sum(known(:self%n, 2))
+        whole(2) = sum(of_zone*sums(:, 2)) - sum(known(:self%n, 2))
         call split(self, rhs, forward, solution)
         associate (n => self%n, remainder => self%remainder, of_t => forward(:, 1), of_o => forward(:, 2), &
                    t => rhs(self%n + 1:, 1), o => rhs(self%n + 1:, 2), first => self%forward, &
@@ -213,10 +246,9 @@ contains
             found%errors(2) = self%a*(missed(2) + self%one_one*found%errors(1))
             found%errors(3) = missed(3) + abs(gap_one)*found%errors(1)
             rest = remainder%inverse*rest
-            call find_load(self, total, rest, found%q)
+            call find_load(self, total, rest, solution(:, 1))
         end associate
-        found%at_nodes = self%a/(pi*self%unit)*matmul(matmul(self%polynomials, found%q), x(:, 1:))
-        found%at_nodes = found%at_nodes - self%a/(pi*self%unit)*sum(matmul(self%polynomials, found%q)*x(:, 0))
+        found%at_first = sum(solution(:, 1)*of_first)
     end subroutine with_zone
 
     !> The coefficients of the load.
@@ -224,39 +256,73 @@ contains
         class(fine_springs_t), intent(in) :: self
         !> of its right-hand side, and its coefficients beyond n
         real(wp), intent(in) :: forward(:), rest(:)
-        real(wp), allocatable, intent(out) :: q(:)
+        real(wp), intent(out) :: q(:)
 
         associate (n => self%n, h => self%equation%h)
-            q = [matmul(rest, h(n + 1:, :)), rest]
+            q(:n) = matmul(rest, h(n + 1:, :))
+            q(n + 1:) = rest
             call solve_lower(n, size(h, 1), 1, h, q)
             q(:n) = forward - q(:n)
             call solve_upper(n, size(h, 1), 1, h, q)
         end associate
     end subroutine find_load
 
-    !> X from the nodes on the contact and their mirror images to its edge (0) and to the nodes of the zone, (contact, 0:zone).
-    subroutine between(self, kernel, rule, x, error)
+    !> At the nodes of the contact: the displacement by the zone's load, and what loads there add to the gap and to the opening at
+    !> the first node of the zone, all over E0*.
+    subroutine sum_over_zone(self, kernel, rule, load, of_zone, to_gap, to_first)
         class(fine_springs_t), intent(in) :: self
         type(kernel_t), intent(in) :: kernel
         type(zone_rule_t), intent(in) :: rule
-        real(wp), allocatable, intent(out) :: x(:, :)
-        type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: image(:)
-        real(wp) :: beyond
-        integer :: i, stat
+        real(wp), intent(in) :: load(:)
+        real(wp), intent(out) :: of_zone(:), to_gap(:), to_first(:)
+        real(wp), dimension(size(self%away)) :: x, of_load, of_gap, of_first
+        integer :: i, nearest
 
-        allocate (x(size(self%weights), 0:size(rule%beyond)), image(size(self%weights)), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        associate (shift => self%equation%moments%shift)
-            do i = 0, size(rule%beyond)
-                beyond = 0.0_wp
-                if (i > 0) beyond = rule%beyond(i)
-                call kernel%evaluate((beyond + self%a*self%from_edge)/self%unit, shift, x(:, i))
-                call kernel%evaluate((beyond + self%a*(2.0_wp - self%from_edge))/self%unit, shift, image)
-                x(:, i) = x(:, i) + image
-            end do
+        nearest = minloc(rule%beyond, dim=1)
+        of_load = 0.0_wp
+        of_gap = 0.0_wp
+        do i = 1, size(load)
+            call kernel%evaluate(self%away + rule%beyond(i)/self%unit, self%equation%moments%shift, x)
+            of_load = of_load + load(i)*x
+            x = x - self%x_away
+            of_gap = of_gap + rule%over_root(i)*x
+            if (i == nearest) of_first = x
+        end do
+        of_zone = at_contact(self, of_load)/(pi*self%unit)
+        to_gap = self%a/(pi*self%unit)*at_contact(self, of_gap)
+        to_first = self%a/(pi*self%unit)*at_contact(self, of_first)
+    end subroutine sum_over_zone
+
+    !> A function at the nodes of the contact, from its parts at the places next to the edge and of the mirror image.
+    pure function at_contact(self, parts) result(values)
+        type(fine_springs_t), intent(in) :: self
+        real(wp), intent(in) :: parts(:)
+        real(wp) :: values(size(self%weights))
+
+        associate (near => size(self%near%places))
+            values = self%near%at_nodes(parts(:near)) + self%image%at_nodes(parts(near + 1:))
         end associate
-    end subroutine between
+    end function at_contact
+
+    !> sum_i v_i m_ij of three v, in sums side by side.
+    pure subroutine project(v, m, first, second, third)
+        real(wp), intent(in) :: v(:, :), m(:, :)
+        real(wp), intent(out) :: first(:), second(:), third(:)
+        real(wp) :: part(at_once, 3)
+        integer :: i, j, k, whole
+
+        whole = size(v, 1) - mod(size(v, 1), at_once)
+        do j = 1, size(m, 2)
+            part = 0.0_wp
+            do i = 1, whole, at_once
+                do k = 1, 3
+                    part(:, k) = part(:, k) + v(i:i + at_once - 1, k)*m(i:i + at_once - 1, j)
+                end do
+            end do
+            first(j) = sum(part(:, 1)) + sum(v(whole + 1:, 1)*m(whole + 1:, j))
+            second(j) = sum(part(:, 2)) + sum(v(whole + 1:, 2)*m(whole + 1:, j))
+            third(j) = sum(part(:, 3)) + sum(v(whole + 1:, 3)*m(whole + 1:, j))
+        end do
+    end subroutine project
 
 end module mdrcontact_line_fine_zone

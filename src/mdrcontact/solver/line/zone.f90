@@ -19,7 +19,7 @@ module mdrcontact_line_zone
     use mdrcontact_line_series, only: weigh_even
     use mdrcontact_line_solve, only: equation_t, first_unknowns, new_equation, next_unknowns, raise_missed, solve_lower, &
                                        solve_upper
-    use mdrcontact_line_zone_effect, only: effect_of_zone
+    use mdrcontact_line_zone_effect, only: effect_of_zone, effect_on_gap
     use mdrcontact_line_zone_rule, only: new_zone_rule, rule_breaks, zone_rule_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_profile, only: profile_t
@@ -32,9 +32,12 @@ module mdrcontact_line_zone
     !> Part of the tolerance that the last terms of a series and the integrals may leave.
     real(wp), parameter :: share = 0.01_wp
     !> Neighbouring states by different numbers of unknowns are to differ by less than a curve through them shows.
-    real(wp), parameter :: loosest = 1.0e-8_wp
+    real(wp), parameter :: loosest = 1.0e-9_wp
     !> Rules of all sizes up to this are known to machine precision.
     integer, parameter :: largest_small_rule = 20
+    !> Errors on bodies whose constants vary with depth fall about as this power of the unknowns, of which a few more are taken; one
+    !> error tells no more than these factors.
+    real(wp), parameter :: order = 4.0_wp, to_spare = 1.03_wp, least_change = 0.7_wp, largest_change = 2.0_wp
     !> Sums that are taken side by side.
     integer, parameter :: at_once = 8
     !> Accuracy of integrals that end nowhere near it.
@@ -89,6 +92,8 @@ module mdrcontact_line_zone
         real(wp), private :: tolerance = 0.0_wp
         !> of numbers of a state
         real(wp), private :: wanted = 0.0_wp
+        !> and estimated of those without a zone
+        real(wp), private :: reached = 0.0_wp
         integer, private :: unknowns = 0
     contains
         procedure :: with_zone
@@ -113,8 +118,8 @@ contains
         !> for values of the load at points, not for the numbers of a state, in which last terms show by their squares; default
         !> false
         logical, intent(in), optional :: at_points
-        !> unknowns at least; default: as many as the contact takes without a zone
-        integer, intent(in), optional :: least
+        !> of check_convergence, of a state that is alike, 0: not known; default: as many as the contact takes without a zone
+        real(wp), intent(in), optional :: least
         real(wp), allocatable :: exponents(:), coefficients(:)
         logical :: for_points
 
@@ -138,7 +143,7 @@ contains
         if (present(at_points)) for_points = at_points
         if (kernel%is_graded()) then
             self%unknowns = 0
-            if (present(least)) self%unknowns = least
+            if (present(least)) self%unknowns = unknowns_for(least, self%wanted)
             call factorize_fine(self, self%wanted, error)
         else
             call factorize_equation(self, tolerance, for_points, error)
@@ -199,12 +204,13 @@ contains
             reached = self%fine%error
             if (reached <= tolerance) then
                 self%unknowns = n
+                self%reached = reached
                 self%depth = self%fine%depth
                 self%stiffness = self%fine%stiffness
                 return
             end if
             if (n >= most_unknowns) exit
-            n = next_unknowns(n, reached/tolerance)
+            n = max(next_unknowns(n, 1.0_wp), enough_unknowns(n, reached/tolerance))
             deallocate (self%fine)
         end do
         call raise_missed(error, "a cohesive zone", tolerance, self%a, reached)
@@ -215,17 +221,38 @@ contains
         class(zoned_springs_t), intent(in) :: self
         type(zone_state_t), intent(in) :: state
         logical, intent(out) :: met
-        !> that were, or would be, enough
-        integer, intent(out) :: unknowns
+        !> that would be enough, 0 for bodies whose springs find their number themselves: see unknowns_for
+        real(wp), intent(out) :: unknowns
         type(error_t), allocatable, intent(inout) :: error
+        integer :: enough
 
         met = .not. state%error > self%wanted
-        unknowns = self%unknowns
-        if (met) return
-        unknowns = min(next_unknowns(self%unknowns, state%error/self%wanted), most_unknowns)
-        if (self%unknowns < most_unknowns) return
+        unknowns = 0.0_wp
+        if (self%unknowns == 0) return
+        enough = enough_unknowns(self%unknowns, max(state%error, self%reached)/self%wanted)
+        if (.not. met) enough = max(enough, next_unknowns(self%unknowns, 1.0_wp))
+        unknowns = enough*self%wanted**(1.0_wp/order)
+        if (met .or. self%unknowns < most_unknowns) return
         call raise_missed(error, "a cohesive zone", self%wanted, self%a, state%error)
     end subroutine check_convergence
+
+    !> Unknowns that meet a tolerance, from how many would meet a tolerance of 1 if errors fell as they do for many.
+    pure function unknowns_for(scale, tolerance) result(n)
+        real(wp), intent(in) :: scale, tolerance
+        integer :: n
+
+        n = nint(min(max(scale, 0.0_wp)/tolerance**(1.0_wp/order), real(most_unknowns, wp)))
+    end function unknowns_for
+
+    !> Unknowns of which the error is smaller than that of n by a factor.
+    pure function enough_unknowns(n, factor) result(enough)
+        integer, intent(in) :: n
+        real(wp), intent(in) :: factor
+        integer :: enough
+
+        enough = ceiling(n*to_spare*min(max(factor**(1.0_wp/order), least_change), largest_change))
+        enough = min(enough, most_unknowns)
+    end function enough_unknowns
 
     !> With n unknowns.
     subroutine factorize_with(self, n, at_points, reached, solved, error)
@@ -328,7 +355,7 @@ contains
             call interact(self, rule, z, state, opening, load)
         end if
         state%force = state%force + 2.0_wp*sum(rule%dx*z)
-        if (.not. allocated(self%fine)) state%gap = (2.0_wp/pi)*sum(rule%over_root*opening)
+        if (.not. self%kernel%is_graded()) state%gap = (2.0_wp/pi)*sum(rule%over_root*opening)
         state%first_opening = opening(minloc(rule%beyond, dim=1))
         if (.not. present(load)) return
         load%x = rule%x
@@ -393,7 +420,7 @@ contains
         if (present(load)) call contact_load(self, q, mean + beyond, state, load%contact)
     end subroutine interact
 
-    !> The same where the body's constants vary with depth, and the gap.
+    !> The same where the body's constants vary with depth, with the gap; of the opening only at the first node.
     subroutine interact_finely(self, rule, length, stress, z, state, opening, error)
         class(zoned_springs_t), intent(in) :: self
         type(zone_rule_t), intent(in) :: rule
@@ -404,23 +431,25 @@ contains
         real(wp), intent(inout) :: opening(:)
         type(error_t), allocatable, intent(inout) :: error
         type(fine_zone_t) :: found
-        real(wp), allocatable :: among(:)
-        real(wp) :: shift, mean, part
+        real(wp) :: among(0:1), shift, gap, mean, part
+        integer :: first
 
         shift = 0.0_wp
         if (allocated(self%fine)) shift = self%fine%equation%moments%shift
-        allocate (among(0:size(z)))
-        call effect_of_zone(self%kernel, self%a, length, stress, [0.0_wp, rule%beyond], shift, among, error)
+        first = minloc(rule%beyond, dim=1)
+        call effect_of_zone(self%kernel, self%a, length, stress, [0.0_wp, rule%beyond(first)], shift, among, error)
+        if (.not. allocated(error)) call effect_on_gap(self%kernel, self%a, length, stress, shift, gap, error)
         if (allocated(error)) return
-        opening = opening + (among(1:) - among(0))
+        gap = sum(rule%over_root*opening) + (gap - among(0)*sum(rule%over_root))
+        opening(first) = opening(first) + (among(1) - among(0))
         if (.not. self%a > 0.0_wp) then
+            state%gap = (2.0_wp/pi)*gap
             state%depth = state%edge + among(0)
             return
         end if
-        call self%fine%with_zone(self%kernel, rule, rule%dx*z, state%edge, among(0), found, error)
-        if (allocated(error)) return
-        state%gap = (2.0_wp/pi)*(sum(rule%over_root*opening) + found%opening)
-        opening = opening + found%at_nodes
+        call self%fine%with_zone(self%kernel, rule, rule%dx*z, state%edge, among(0), found)
+        state%gap = (2.0_wp/pi)*(gap + found%opening)
+        opening(first) = opening(first) + found%at_first
         mean = found%mean + 2.0_wp*shift/(pi*self%unit)*sum(rule%dx*z)
         state%depth = self%fine%equation%profile_mean + mean + found%beyond
         state%force = found%force
