@@ -520,5 +520,6 @@ MUTATIONS = [
     ("solver/line/zone_effect.f90", "min(kernel%unit, closest*length)", "kernel%unit", "test_cohesion"),
     ("solver/line/zone_effect.f90", "square/ratio", "square*ratio", "test_cohesion"),
     ("solver/line/edge_panels.f90", "merge(1.0_wp, -1.0_wp, modulo(i, 2) == 1)", "1.0_wp", "test_cohesion"),
+    ("contact/contact/zone_curve.f90", "call report_progress(1.0_wp)", "call report_progress(0.0_wp)", "c_adhesion"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""

@@ -234,12 +234,13 @@ typedef int (*mdr_cancel)(void *context);
  */
 int mdr_set_cancel(mdr_cancel cancel, void *context);
 
-/** Set a number to which long calls of the calling thread write their progress: the time integration of mdr_contact_history() and
- *  the searches of mdr_load_critical() and mdr_contact_first_failure(). Another thread, or the function set by mdr_set_cancel(),
- *  may read it meanwhile. Each thread has its own number.
+/** Set a number to which long calls of the calling thread write their progress: the time integration of mdr_contact_history(),
+ *  the searches of mdr_load_critical() and mdr_contact_first_failure(), and the equilibria that mdr_contact_new() and mdr_law_new()
+ *  sample for a cohesive stress. Another thread, or the function set by mdr_set_cancel(), may read it meanwhile. Each thread has
+ *  its own number.
  *  @param part  [1] receives the progress. Of a time integration: the number of completed rounds, each with half the step of the
- *               previous one, plus the completed part of the path in the current round. Of a search: the completed part. NULL:
- *               none, the initial state
+ *               previous one, plus the completed part of the path in the current round. Of a search or of equilibria: the
+ *               completed part. NULL: none, the initial state
  *  @code
  *  static double progress[1];
  *  status = mdr_set_progress(progress);

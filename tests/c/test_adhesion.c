@@ -155,11 +155,15 @@ static void maugis(double sigma)
 {
     mdr_contact *c = NULL;
     mdr_state states[3];
+    double part = 0.0;
     const double radii[3] = {0.1, 0.3, 1.0};
     mdr_contact_options options = MDR_SIZED(mdr_contact_options);
     options.work_of_adhesion = work;
     options.cohesive_stress = sigma;
+    CHECK_SUCCESS(mdr_set_progress(&part));
     CHECK_SUCCESS(new_contact(&options, &c));
+    CHECK_SUCCESS(mdr_set_progress(NULL));
+    CHECK_CLOSE(part, 1.0, 0.0);
     CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 3, radii, states));
     for (int i = 0; i < 3; i++) {
         const double a = states[i].radius, m = states[i].zone_radius / a, root = sqrt(m * m - 1), angle = acos(1 / m);

@@ -81,11 +81,11 @@ contains
         status = mdr_set_cancel(entry, handed_on)
     end subroutine set_cancel
 
-    !> From now on histories that the calling thread marches through time, and searches of stresses, write their progress; null()
-    !> ends it.
+    !> From now on histories that the calling thread marches through time, searches of stresses, and equilibria that are sampled
+    !> for a cohesive stress write their progress; null() ends it.
     subroutine set_progress(part)
         !> receives the number of rounds that are done, each with steps half as long, plus the part of the path that the present one
-        !> has behind it; of a search the part that is done
+        !> has behind it; of a search, or of equilibria, the part that is done
         real(c_double), pointer, intent(in) :: part
         type(c_ptr) :: place
         integer(c_int) :: status

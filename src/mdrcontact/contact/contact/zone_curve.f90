@@ -4,6 +4,7 @@
 !> The samples show where
 !> depth and force turn, begins the search for a state, and does the work of loops; states themselves are solved.
 module mdrcontact_contact_zone_curve
+    use mdrcontact_cancel, only: report_progress
     use mdrcontact_contact_cohesion, only: zone_guess_t
     use mdrcontact_contact_control, only: control_t
     use mdrcontact_contact_adhesive_branch, only: stable_segment_t
@@ -60,6 +61,8 @@ module mdrcontact_contact_zone_curve
         type(equilibrium_t), pointer :: equilibrium => null()
         !> the zone of the last state
         type(zone_guess_t) :: guess
+        !> of the curve, and how much of it is behind the samples
+        real(wp) :: last = 0.0_wp, part = 0.0_wp
         !> where the body's constants vary with depth, the last states with contact in turn: how many, x, and columns of the zone
         logical :: is_graded = .false.
         integer :: count = 0
@@ -142,10 +145,12 @@ contains
         source%continuous = of_force
         source%is_relative = .true.
         source%equilibrium => equilibrium
+        source%last = last
         source%guess%length = equilibrium%cohesion%likely_zone
         if (source%is_graded) breaks = [breaks, -1.0_wp, 0.0_wp]
         call new_columns(self, source, edges, breaks, sampling, error)
         if (.not. allocated(error)) call self%prepare(error)
+        if (.not. allocated(error)) call report_progress(1.0_wp)
     end subroutine new_zone_curve
 
     !> The columns at a coordinate.
@@ -163,6 +168,8 @@ contains
         call zone_state(self%equilibrium, x, state, error, self%guess)
         if (allocated(error)) return
         self%solutions = self%solutions + 1
+        self%part = max(self%part, (x + 1.0_wp)/(self%last + 1.0_wp))
+        call report_progress(self%part)
         values = [state%depth, state%force, state%stiffness, log(max(self%guess%length, tiny(1.0_wp))), self%guess%slope, &
                   self%guess%depth_rate, self%guess%force_rate, self%guess%unknowns]
         if (.not. (self%is_graded .and. x > 0.0_wp)) return
