@@ -253,6 +253,26 @@ def _wear() -> Numbers:
     return {"radius": now.radius, "depth": now.depth, "worn volume": now.worn_volume}
 
 
+def zone_on_graded(ratio: float) -> Numbers:
+    """A contact with a cohesive zone is made, and its first state under a force."""
+    from mdrcontact import Contact, Graded, Paraboloid
+
+    body = Graded([0.0, 1.0], [1.0, ratio], [0.3, 0.3], model="exact")
+    contact = Contact(Paraboloid(1.0), body, work_of_adhesion=0.1, cohesive_stress=1.0)
+    state = contact.at_force(0.1)
+    return {"depth": state.depth, "radius": state.radius, "zone": state.zone_radius, "pull-off": contact.pull_off("force").force}
+
+
+@row("zone contact on a graded body: E 1 to 4")
+def _zone() -> Numbers:
+    return zone_on_graded(4.0)
+
+
+@row("zone contact on a graded body: E 1 to 50")
+def _zone_of_contrast() -> Numbers:
+    return zone_on_graded(50.0)
+
+
 @row("command: fit of one curve, its imports included")
 def _fit() -> Numbers:
     path = ROOT / "examples" / "fit" / "sphere_on_oxide.csv"
