@@ -147,12 +147,15 @@ contains
         real(wp), allocatable, target :: radii(:), sums(:, :), integrals(:, :)
         logical, allocatable, target :: is_known(:)
         type(half_space_rule_t), target :: rule
-        integer :: stat
+        integer :: i, stat
 
         allocate (radii(size(r)), sums(merge(normal_sums + shear_sums, normal_sums, friction /= 0.0_wp), size(r)), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
-        radii(:) = r/load%radius
+        ! as both are targets, an assignment of arrays takes memory that may be refused
+        do i = 1, size(r)
+            radii(i) = r(i)/load%radius
+        end do
         points%load => load
         points%states => states
         points%depths => depths
@@ -366,11 +369,12 @@ contains
         integer, intent(in) :: n, threads
         type(error_t), allocatable, intent(inout) :: error
         type(kept_waves_t), intent(inout), target, optional :: kept
-        type(kept_waves_t), target :: own
+        type(kept_waves_t), allocatable, target :: own
         type(part_t) :: ready(size(along_surface)), part
         logical :: is_ready
         integer :: i, m
 
+        if (.not. present(kept)) allocate (own)
         m = 0
         do i = 1, size(along_surface)
             points%states%along_surface = along_surface(i)
