@@ -839,6 +839,9 @@ def test_interfaces_have_two_sides_in_any_order_of_summation():
                 flux = [spot.flux_inside(r, z, side=side)[0] for side in ("above", "below")]
                 assert flux[0] == pytest.approx(flux[1], rel=1e-9)
                 assert above - below == pytest.approx(0.3 * flux[0], rel=1e-9)
+        middles = np.cumsum(h) - 0.5 * h
+        alone = [spot.potential(0.7, z) for z in middles]
+        assert spot.potential(0.7, middles) == pytest.approx(alone, rel=1e-13)
         jumps = [heat.temperature(0.5, z, side="above") - heat.temperature(0.5, z, side="below") for z in depths(h)]
         assert jumps[0] > 0.0 and jumps == pytest.approx([jumps[0]] * len(jumps), rel=1e-9)
 
