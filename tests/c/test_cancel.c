@@ -97,10 +97,10 @@ static int inside(void)
 }
 static int failure(void)
 {
-    const mdr_strength strengths[2] = {{MDR_VON_MISES, 1, 0.5}, {MDR_INTERFACE_SHEAR, 0, 0.1}};
+    const mdr_strength strengths[2] = {{MDR_VON_MISES, 1, 1e9}, {MDR_INTERFACE_SHEAR, 0, 1e9}};
     mdr_failure_load found[2];
     int count;
-    return mdr_contact_first_failure(on_film, MDR_BODY_LOWER, 0.2, 50.0, 2, strengths, 2, found, &count);
+    return mdr_contact_first_failure(on_film, MDR_BODY_LOWER, 0.2, 500.0, 2, strengths, 2, found, &count);
 }
 
 #ifdef MDRCONTACT_FIT_H
