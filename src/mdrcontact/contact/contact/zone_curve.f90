@@ -13,6 +13,7 @@ module mdrcontact_contact_zone_curve
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_lagrange, only: lagrange
     use mdrcontact_numerics_roots, only: find_root
     use mdrcontact_numerics_sampled_columns, only: new_columns
     use mdrcontact_numerics_sampler, only: column_source_t, sampling_t
@@ -196,11 +197,10 @@ contains
             distance(nearest(i)) = huge(x)
         end do
         v = self%zones(:, nearest(1))
-        if (n == most_before) v(of_length) = sum(weights_at(x, self%places(nearest))*self%zones(of_length, nearest))
+        if (n == most_before) v(of_length:of_length) = matmul(lagrange(self%places(nearest), [x]), self%zones(of_length, nearest))
         if (n >= 3) then
-            do i = of_slope, of_force_rate
-                v(i) = sum(weights_at(x, self%places(nearest(:3)))*self%zones(i, nearest(:3)))
-            end do
+            v(of_slope:of_force_rate) = matmul(self%zones(of_slope:of_force_rate, nearest(:3)), &
+                                               pack(lagrange(self%places(nearest(:3)), [x]), .true.))
         end if
         ! far from them
         if (.not. (abs(v(of_length) - self%zones(of_length, nearest(1))) <= farthest .and. &
@@ -210,20 +210,6 @@ contains
         self%guess%tolerance = tolerance
         self%guess%is_close = .false.
     end subroutine extrapolate
-
-    !> The polynomials at x that are 1 at one of some places and 0 at the others.
-    pure function weights_at(x, places) result(weights)
-        real(wp), intent(in) :: x, places(:)
-        real(wp) :: weights(size(places))
-        integer :: i, j
-
-        weights = 1.0_wp
-        do i = 1, size(places)
-            do j = 1, size(places)
-                if (j /= i) weights(i) = weights(i)*(x - places(j))/(places(i) - places(j))
-            end do
-        end do
-    end function weights_at
 
     !> The zone of which a state has these columns.
     pure function guess_of(v) result(guess)

@@ -13,6 +13,7 @@ module mdrcontact_inside_largest
     use mdrcontact_gsl, only: gsl_sort
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_medium_load, only: load_t
+    use mdrcontact_numerics_lagrange, only: lagrange
     use mdrcontact_numerics_quadrature, only: merge_breaks
     implicit none (type, external)
     private
@@ -416,24 +417,10 @@ contains
                 r = evenly(closer(r, at(1), all_r))
                 z = evenly(closer(z, at(2), all_z))
                 if (size(r) < size(grid%r) .or. size(z) < size(grid%z)) return
-                here = matmul(matmul(polynomials(grid%r, r), values), transpose(polynomials(grid%z, z)))
+                here = matmul(matmul(lagrange(grid%r, r), values), transpose(lagrange(grid%z, z)))
             end do
         end associate
     end subroutine find_top
-
-    !> The Lagrange polynomials of places at others: (other place, place).
-    pure function polynomials(places, x) result(values)
-        real(wp), intent(in) :: places(:), x(:)
-        real(wp) :: values(size(x), size(places))
-        integer :: i, j
-
-        values = 1.0_wp
-        do i = 1, size(places)
-            do j = 1, size(places)
-                if (j /= i) values(:, i) = values(:, i)*((x - places(j))/(places(i) - places(j)))
-            end do
-        end do
-    end function polynomials
 
     !> A place, or the end of a grid that is so close to it that rounding decides which of both has the larger value: the axis, the
     !> surface or an interface.
